@@ -1,0 +1,44 @@
+#pragma once
+/// The match file, `quadmatch.match/1`: JSON with 0-based indices in file order (docs/formats.md).
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <quadmatch/mesh/expected.hpp>
+#include <quadmatch/mesh/match.hpp>
+
+namespace quadmatch {
+
+/// One of the two meshes, as the match file names it.
+struct MatchSide {
+  std::string path;
+  std::uint32_t vertices = 0;
+  std::uint32_t faces = 0;
+
+  bool operator==(const MatchSide&) const = default;
+};
+
+struct MatchFile {
+  MatchSide source;
+  MatchSide target;
+  Match match;
+  /// Settings it was made with, e.g. {"algorithm", "lazy-greedy"}; written as strings, in this order.
+  std::vector<std::pair<std::string, std::string>> settings = {};
+};
+
+/// Read a match file; `-` reads standard input. Fields it does not know are passed over.
+/// @par Errors  CannotRead; Syntax, BadNumber, BadIndex with the line.
+[[nodiscard]] Expected<MatchFile> read_match(const std::string& path);
+/// The same from memory; `name` is what errors call it.
+[[nodiscard]] Expected<MatchFile> parse_match(std::string_view bytes, const std::string& name);
+
+/// Does a match file speak of meshes of these sizes? MatchDoesNotFit, saying which side differs and how, if not.
+[[nodiscard]] Expected<void> fits(const MatchFile& file, const MatchSide& source, const MatchSide& target);
+
+/// Write a match file, all or nothing; `-` writes standard output.
+[[nodiscard]] Expected<void> write_match(const std::string& path, const MatchFile& file);
+[[nodiscard]] std::string format_match(const MatchFile& file);
+
+}  // namespace quadmatch

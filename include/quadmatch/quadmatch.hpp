@@ -1,0 +1,16 @@
+#pragma once
+/// All of quadmatch: read, analyse, match, verify, write.
+
+#include <quadmatch/analysis/anchors.hpp>
+#include <quadmatch/analysis/colouring.hpp>
+#include <quadmatch/analysis/skeleton.hpp>
+#include <quadmatch/analysis/vertex_code.hpp>
+#include <quadmatch/io/match_file.hpp>
+#include <quadmatch/io/mesh_file.hpp>
+#include <quadmatch/io/read_mesh.hpp>
+#include <quadmatch/io/write_mesh.hpp>
+#include <quadmatch/match/matcher.hpp>
+#include <quadmatch/mesh/check.hpp>
+#include <quadmatch/mesh/components.hpp>
+#include <quadmatch/mesh/mesh.hpp>
+#include <quadmatch/verify/verify.hpp>
