@@ -1,0 +1,240 @@
+// Anchors, §4.1: colour both skeleton graphs until a colour is unique in both, take the rarest, match neighbours.
+
+#include <quadmatch/analysis/anchors.hpp>
+
+#include <algorithm>
+#include <span>
+#include <tuple>
+
+#include <quadmatch/mesh/components.hpp>
+
+namespace quadmatch {
+namespace {
+
+/// One of the two meshes with its colours of the current round.
+struct Side {
+  const Mesh& mesh;
+  const ArcGraph& skeleton;
+  const PerFan<VertexCode>& codes;
+  Components components;
+  std::vector<Colour> colours = {};
+  std::vector<std::uint32_t> by_colour = {};  ///< nodes, sorted by colour, then number
+
+  void sort_by_colour() {
+    by_colour.resize(skeleton.node_count());
+    for (std::uint32_t node = 0; node < by_colour.size(); ++node) by_colour[node] = node;
+    std::sort(by_colour.begin(), by_colour.end(),
+              [this](std::uint32_t a, std::uint32_t b) { return std::tie(colours[a], a) < std::tie(colours[b], b); });
+  }
+  void refine(const ColouringOptions& options) {
+    colours = refine_colours(skeleton, codes, colours, options);
+    sort_by_colour();
+  }
+  /// Faces in the component that a node lies in.
+  [[nodiscard]] std::uint32_t reach(std::uint32_t node) const {
+    const FaceId face = mesh.face(mesh.halfedge(skeleton.nodes[node]));
+    return components.face_count[components.of_face[face]];
+  }
+  [[nodiscard]] std::uint32_t largest_reach() const {
+    return *std::max_element(components.face_count.begin(), components.face_count.end());
+  }
+};
+
+/// A colour that both meshes have, and who has it.
+struct CommonColour {
+  Colour colour;
+  std::span<const std::uint32_t> source, target;
+
+  [[nodiscard]] std::uint64_t pairs() const { return std::uint64_t{source.size()} * target.size(); }
+};
+
+std::vector<CommonColour> common_colours(const Side& source, const Side& target) {
+  std::vector<CommonColour> common;
+  const auto run = [](const Side& side, std::size_t begin) {
+    std::size_t end = begin;
+    while (end < side.by_colour.size() && side.colours[side.by_colour[end]] == side.colours[side.by_colour[begin]]) {
+      ++end;
+    }
+    return std::span(side.by_colour).subspan(begin, end - begin);
+  };
+  std::size_t s = 0, t = 0;
+  while (s < source.by_colour.size() && t < target.by_colour.size()) {
+    const Colour left = source.colours[source.by_colour[s]];
+    const Colour right = target.colours[target.by_colour[t]];
+    const auto source_run = run(source, s);
+    const auto target_run = run(target, t);
+    if (left == right) common.push_back({left, source_run, target_run});
+    if (left <= right) s += source_run.size();
+    if (right <= left) t += target_run.size();
+  }
+  return common;
+}
+
+/// Two nodes of one colour laid on each other: spoke `source_spoke` of the one on `target_spoke` of the other.
+struct Alignment {
+  Colour colour = 0;
+  std::uint32_t source_node = 0, target_node = 0;
+  std::uint32_t source_spoke = 0, target_spoke = 0;
+  std::uint32_t agreeing = 0, disagreeing = 0;  ///< neighbours whose colours do or do not agree
+  std::uint32_t reach = 0;                      ///< faces of the smaller of the two components
+
+  /// Better first; only the last resort depends on the numbering.
+  [[nodiscard]] auto rank() const {
+    return std::tuple(disagreeing, ~reach, ~agreeing, colour, source_node, target_node, target_spoke);
+  }
+};
+
+std::uint32_t spoke_count(const Side& side, std::uint32_t node) {
+  return static_cast<std::uint32_t>(side.skeleton.spokes_of(node).size());
+}
+
+/// Spoke `step` of a node, counted on from spoke `start`.
+const Spoke& spoke_at(const Side& side, std::uint32_t node, std::uint32_t start, std::uint32_t step) {
+  const auto spokes = side.skeleton.spokes_of(node);
+  return spokes[(start + step) % spokes.size()];
+}
+
+/// §4.1: "then look for matching neighbours of the two matched vertices".
+void compare_neighbours(const Side& source, const Side& target, Alignment& alignment) {
+  const std::uint32_t count = spoke_count(source, alignment.source_node);
+  for (std::uint32_t step = 0; step < count; ++step) {
+    const Spoke& left = spoke_at(source, alignment.source_node, alignment.source_spoke, step);
+    const Spoke& right = spoke_at(target, alignment.target_node, alignment.target_spoke, step);
+    const bool agree = left.to_node != Spoke::kNone && right.to_node != Spoke::kNone &&
+                       source.colours[left.to_node] == target.colours[right.to_node];
+    ++(agree ? alignment.agreeing : alignment.disagreeing);
+  }
+}
+
+/// The ways to lay one node on another of its colour: the beginnings of their least strings.
+void align(const Side& source, const Side& target, Colour colour, std::uint32_t source_node, std::uint32_t target_node,
+           const ColouringOptions& options, std::vector<Alignment>& alignments) {
+  if (spoke_count(source, source_node) != spoke_count(target, target_node)) return;  // unequal at the last round only
+  const auto source_starts = least_rotations(source.skeleton, source.codes, source.colours, source_node, options);
+  const auto target_starts = least_rotations(target.skeleton, target.codes, target.colours, target_node, options);
+  for (const std::uint32_t target_start : target_starts) {
+    Alignment alignment{.colour = colour,
+                        .source_node = source_node,
+                        .target_node = target_node,
+                        .source_spoke = source_starts.front(),
+                        .target_spoke = target_start,
+                        .reach = std::min(source.reach(source_node), target.reach(target_node))};
+    compare_neighbours(source, target, alignment);
+    alignments.push_back(alignment);
+  }
+}
+
+/// A seed on the first spoke whose faces can lie on each other; not valid if there is none.
+Anchor seed_of(const Side& source, const Side& target, const Alignment& alignment) {
+  for (std::uint32_t step = 0; step < spoke_count(source, alignment.source_node); ++step) {
+    const Dart left = spoke_at(source, alignment.source_node, alignment.source_spoke, step).start;
+    const Dart right = spoke_at(target, alignment.target_node, alignment.target_spoke, step).start;
+    if (left.backward != right.backward) continue;
+    if (source.mesh.size(source.mesh.face(left.halfedge)) == target.mesh.size(target.mesh.face(right.halfedge))) {
+      return {left.halfedge, right.halfedge};
+    }
+  }
+  return {};
+}
+
+/// The stopping condition of §4.1: a pair of uniquely coloured nodes, one from each mesh.
+/// Reading: the paper's models are connected. In ours a button must not stop the search before the coat is told
+/// apart, so the pair must lie in components at least half as large as the largest.
+bool has_unique_pair(const Side& source, const Side& target, std::span<const CommonColour> common) {
+  const std::uint32_t source_half = source.largest_reach() / 2;
+  const std::uint32_t target_half = target.largest_reach() / 2;
+  return std::any_of(common.begin(), common.end(), [&](const CommonColour& colour) {
+    return colour.pairs() == 1 && source.reach(colour.source.front()) >= source_half &&
+           target.reach(colour.target.front()) >= target_half;
+  });
+}
+
+/// All alignments of the rarest colours; a bounded number of pairs where even the rarest is common.
+std::vector<Alignment> align_rarest(const Side& source, const Side& target, std::span<const CommonColour> common,
+                                    const ColouringOptions& options, std::uint64_t rarest) {
+  constexpr std::size_t kMostAlignments = 4096;
+  std::vector<Alignment> alignments;
+  for (const CommonColour& colour : common) {
+    if (colour.pairs() != rarest) continue;
+    for (const std::uint32_t left : colour.source) {
+      for (const std::uint32_t right : colour.target) {
+        align(source, target, colour.colour, left, right, options, alignments);
+        if (alignments.size() >= kMostAlignments) return alignments;
+      }
+    }
+  }
+  return alignments;
+}
+
+/// A half-edge of the largest component: on its boundary if it has one, so that boundaries come to lie on each other.
+HalfedgeId any_halfedge(const Side& side, bool on_boundary) {
+  const auto& counts = side.components.face_count;
+  const auto largest = static_cast<std::uint32_t>(std::max_element(counts.begin(), counts.end()) - counts.begin());
+  HalfedgeId first;
+  for (std::uint32_t number = 0; number < side.mesh.halfedge_count(); ++number) {
+    const HalfedgeId h(number);
+    if (side.components.of_face[side.mesh.face(h)] != largest) continue;
+    if (!first.valid()) first = h;
+    if (!on_boundary || !side.mesh.twin(h).valid()) return h;
+  }
+  return first;
+}
+
+/// §4.1: "if there are no extraordinary vertices at all, then we pick an arbitrary pair".
+AnchorSearch arbitrary_pair(const Side& source, const Side& target) {
+  AnchorSearch search;
+  search.arbitrary = true;
+  if (source.mesh.face_count() == 0 || target.mesh.face_count() == 0) return search;
+  const auto has_boundary = [](const Side& side) { return !side.mesh.twin(any_halfedge(side, true)).valid(); };
+  const bool on_boundary = has_boundary(source) && has_boundary(target);
+  const Anchor anchor{any_halfedge(source, on_boundary), any_halfedge(target, on_boundary)};
+  if (source.mesh.size(source.mesh.face(anchor.source)) == target.mesh.size(target.mesh.face(anchor.target))) {
+    search.anchors.push_back(anchor);
+  }
+  return search;
+}
+
+}  // namespace
+
+AnchorSearch find_anchors(const Mesh& source_mesh, const ArcGraph& source_skeleton,
+                          const PerFan<VertexCode>& source_codes, const Mesh& target_mesh,
+                          const ArcGraph& target_skeleton, const PerFan<VertexCode>& target_codes,
+                          const AnchorOptions& options) {
+  Side source{source_mesh, source_skeleton, source_codes, connected_components(source_mesh)};
+  Side target{target_mesh, target_skeleton, target_codes, connected_components(target_mesh)};
+  if (source_skeleton.nodes.empty() || target_skeleton.nodes.empty()) return arbitrary_pair(source, target);
+
+  source.colours = initial_colours(source_skeleton, source_codes);
+  target.colours = initial_colours(target_skeleton, target_codes);
+  AnchorSearch search;
+  std::vector<Alignment> best;
+  std::uint64_t best_pairs = ~std::uint64_t{0};
+  for (std::uint32_t round = 1; round <= std::max(options.rounds, 1U); ++round) {
+    source.refine(options.colouring);
+    target.refine(options.colouring);
+    const std::vector<CommonColour> common = common_colours(source, target);
+    if (common.empty()) break;  // colours only ever split: there will be none later either
+    const auto rarest = std::min_element(common.begin(), common.end(),
+                                         [](const auto& a, const auto& b) { return a.pairs() < b.pairs(); });
+    const bool found = has_unique_pair(source, target, common);
+    if (rarest->pairs() <= best_pairs || found) {
+      best_pairs = rarest->pairs();
+      best = align_rarest(source, target, common, options.colouring, best_pairs);
+      search.rounds = round;
+      search.source_rarity = static_cast<std::uint32_t>(rarest->source.size());
+      search.target_rarity = static_cast<std::uint32_t>(rarest->target.size());
+    }
+    if (found) break;
+  }
+
+  std::sort(best.begin(), best.end(), [](const Alignment& a, const Alignment& b) { return a.rank() < b.rank(); });
+  for (const Alignment& alignment : best) {
+    const Anchor anchor = seed_of(source, target, alignment);
+    if (anchor.source.valid()) search.anchors.push_back(anchor);
+    if (search.anchors.size() == options.count) break;
+  }
+  if (search.anchors.empty()) return arbitrary_pair(source, target);
+  return search;
+}
+
+}  // namespace quadmatch

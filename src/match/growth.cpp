@@ -1,0 +1,106 @@
+#include "growth.hpp"
+
+namespace quadmatch {
+
+Growth::Growth(const Mesh& source, const Mesh& target)
+    : source_(source),
+      target_(target),
+      matched_(source.face_count(), false),
+      taken_(target.face_count(), false),
+      image_of_first_(source.face_count()),
+      vertex_image_(source.vertex_count()),
+      vertex_origin_(target.vertex_count()) {}
+
+HalfedgeId Growth::image(HalfedgeId h) const {
+  const HalfedgeId first = image_of_first_[source_.face(h)];
+  const std::uint32_t corner = source_.corner(h);
+  if (target_.all_quads()) return HalfedgeId((first.value & ~3U) | ((first.value + corner) & 3U));
+  const FaceId face = target_.face(first);
+  const std::uint32_t start = target_.first(face).value;
+  const std::uint32_t size = target_.size(face);
+  return HalfedgeId(start + (first.value - start + corner) % size);
+}
+
+bool Growth::fits(Candidate candidate) const {
+  const FaceId q = source_.face(candidate.source);
+  const FaceId r = target_.face(candidate.target);
+  if (is_matched(q) || is_taken(r)) return false;
+  const std::uint32_t size = source_.size(q);
+  return size == target_.size(r) && corners_agree(candidate, size) && neighbours_agree(candidate, size);
+}
+
+/// The vertex map stays a function and one-to-one.
+bool Growth::corners_agree(Candidate candidate, std::uint32_t size) const {
+  auto [s, t] = candidate;
+  for (std::uint32_t corner = 0; corner < size; ++corner) {
+    const VertexId v = source_.origin(s);
+    const VertexId w = target_.origin(t);
+    const VertexId image = vertex_image_[v];
+    if (image.valid() ? image != w : vertex_origin_[w].valid()) return false;
+    s = source_.next(s);
+    t = target_.next(t);
+  }
+  return true;
+}
+
+/// §3: "q1 and q2 are adjacent in S1 if and only if mu(q1) and mu(q2) are adjacent", across corresponding edges. On a
+/// simple mesh the vertex map implies it; where two edges join the same vertices, or a seam lies between, it does not.
+bool Growth::neighbours_agree(Candidate candidate, std::uint32_t size) const {
+  auto [s, t] = candidate;
+  for (std::uint32_t corner = 0; corner < size; ++corner) {
+    const HalfedgeId beyond = source_.twin(s);
+    const HalfedgeId beyond_target = target_.twin(t);
+    if (beyond.valid() && is_matched(source_.face(beyond))) {
+      if (image(beyond) != beyond_target) return false;
+    } else if (beyond_target.valid() && is_taken(target_.face(beyond_target))) {
+      return false;
+    }
+    s = source_.next(s);
+    t = target_.next(t);
+  }
+  return true;
+}
+
+void Growth::accept(Candidate candidate) {
+  const FaceId q = source_.face(candidate.source);
+  const FaceId r = target_.face(candidate.target);
+  matched_[q.value] = true;
+  taken_[r.value] = true;
+  order_.push_back(candidate);
+  auto [s, t] = candidate;
+  for (std::uint32_t corner = source_.size(q); corner > 0; --corner) {
+    vertex_image_[source_.origin(s)] = target_.origin(t);
+    vertex_origin_[target_.origin(t)] = source_.origin(s);
+    if (s == source_.first(q)) image_of_first_[q] = t;
+    s = source_.next(s);
+    t = target_.next(t);
+  }
+}
+
+Region Growth::region(Orientation orientation, bool with_waves) const {
+  Region region;
+  region.orientation = orientation;
+  region.faces.reserve(order_.size());
+  for (const Candidate& pair : order_) {
+    const FaceId q = source_.face(pair.source);
+    const HalfedgeId first = image_of_first_[q];
+    const std::uint32_t corner = target_.corner(first);
+    const FaceId r = target_.face(first);
+    // In the mirror corner k is corner n - 1 - k of the face as it was given (Mesh::mirrored).
+    const bool preserving = orientation == Orientation::Preserving;
+    region.faces.push_back({q, r, preserving ? corner : target_.size(r) - 1 - corner});
+  }
+  if (with_waves) region.waves = waves_;
+  return region;
+}
+
+std::vector<VertexPair> Growth::vertex_pairs() const {
+  std::vector<VertexPair> pairs;
+  for (std::uint32_t v = 0; v < source_.vertex_count(); ++v) {
+    const VertexId image = vertex_image_[VertexId(v)];
+    if (image.valid()) pairs.push_back({VertexId(v), image});
+  }
+  return pairs;
+}
+
+}  // namespace quadmatch
