@@ -74,8 +74,8 @@ class Ribs {
     for (std::uint32_t tube = 0; tube < tubes_; ++tube) {
       for (std::uint32_t ring = 0; ring < rings_; ++ring) {
         for (std::uint32_t side = 0; side < 4; ++side) {
-          builder_.quad(vertex(tube, ring, side), vertex(tube, ring, side + 1), vertex(tube, ring + 1, side + 1),
-                        vertex(tube, ring + 1, side));
+          builder_.quad(vertex(tube, ring, side), vertex(tube, ring + 1, side), vertex(tube, ring + 1, side + 1),
+                        vertex(tube, ring, side + 1));
         }
       }
     }
