@@ -11,13 +11,37 @@
 namespace quadmatch {
 namespace {
 
+/// How large the component of the skeleton is that each node lies in: the edges its particles went along. Stands for
+/// the faces of the component of the mesh, at a cost that does not grow with them.
+std::vector<std::uint64_t> traced_lengths(const ArcGraph& skeleton) {
+  constexpr std::uint64_t kUnseen = ~std::uint64_t{0};
+  std::vector<std::uint64_t> length(skeleton.node_count(), kUnseen);
+  std::vector<std::uint32_t> component;
+  for (std::uint32_t start = 0; start < skeleton.node_count(); ++start) {
+    if (length[start] != kUnseen) continue;
+    component.assign(1, start);
+    length[start] = 0;
+    std::uint64_t sum = 0;
+    for (std::size_t next = 0; next < component.size(); ++next) {
+      for (const Spoke& spoke : skeleton.spokes_of(component[next])) {
+        sum += spoke.length;
+        if (length[spoke.to_node] != kUnseen) continue;
+        length[spoke.to_node] = 0;
+        component.push_back(spoke.to_node);
+      }
+    }
+    for (const std::uint32_t node : component) length[node] = sum / 2;
+  }
+  return length;
+}
+
 /// One of the two meshes with its colours of the current round.
 struct Side {
   const Mesh& mesh;
   const ArcGraph& skeleton;
   const PerFan<VertexCode>& codes;
-  Components components;
-  std::vector<Colour> colours = {};
+  std::vector<std::uint64_t> reach = traced_lengths(skeleton);  ///< of each node
+  std::vector<Colour> colours = initial_colours(skeleton, codes);
   std::vector<std::uint32_t> by_colour = {};  ///< nodes, sorted by colour, then number
 
   void sort_by_colour() {
@@ -30,14 +54,7 @@ struct Side {
     colours = refine_colours(skeleton, codes, colours, options);
     sort_by_colour();
   }
-  /// Faces in the component that a node lies in.
-  [[nodiscard]] std::uint32_t reach(std::uint32_t node) const {
-    const FaceId face = mesh.face(mesh.halfedge(skeleton.nodes[node]));
-    return components.face_count[components.of_face[face]];
-  }
-  [[nodiscard]] std::uint32_t largest_reach() const {
-    return *std::max_element(components.face_count.begin(), components.face_count.end());
-  }
+  [[nodiscard]] std::uint64_t largest_reach() const { return *std::max_element(reach.begin(), reach.end()); }
 };
 
 /// A colour that both meshes have, and who has it.
@@ -76,7 +93,7 @@ struct Alignment {
   std::uint32_t source_node = 0, target_node = 0;
   std::uint32_t source_spoke = 0, target_spoke = 0;
   std::uint32_t agreeing = 0, disagreeing = 0;  ///< neighbours whose colours do or do not agree
-  std::uint32_t reach = 0;                      ///< faces of the smaller of the two components
+  std::uint64_t reach = 0;                      ///< of the smaller of the two components
 
   /// Better first; only the last resort depends on the numbering.
   [[nodiscard]] auto rank() const {
@@ -118,7 +135,7 @@ void align(const Side& source, const Side& target, Colour colour, std::uint32_t 
                         .target_node = target_node,
                         .source_spoke = source_starts.front(),
                         .target_spoke = target_start,
-                        .reach = std::min(source.reach(source_node), target.reach(target_node))};
+                        .reach = std::min(source.reach[source_node], target.reach[target_node])};
     compare_neighbours(source, target, alignment);
     alignments.push_back(alignment);
   }
@@ -141,11 +158,11 @@ Anchor seed_of(const Side& source, const Side& target, const Alignment& alignmen
 /// Reading: the paper's models are connected. In ours a button must not stop the search before the coat is told
 /// apart, so the pair must lie in components at least half as large as the largest.
 bool has_unique_pair(const Side& source, const Side& target, std::span<const CommonColour> common) {
-  const std::uint32_t source_half = source.largest_reach() / 2;
-  const std::uint32_t target_half = target.largest_reach() / 2;
+  const std::uint64_t source_half = source.largest_reach() / 2;
+  const std::uint64_t target_half = target.largest_reach() / 2;
   return std::any_of(common.begin(), common.end(), [&](const CommonColour& colour) {
-    return colour.pairs() == 1 && source.reach(colour.source.front()) >= source_half &&
-           target.reach(colour.target.front()) >= target_half;
+    return colour.pairs() == 1 && source.reach[colour.source.front()] >= source_half &&
+           target.reach[colour.target.front()] >= target_half;
   });
 }
 
@@ -167,28 +184,30 @@ std::vector<Alignment> align_rarest(const Side& source, const Side& target, std:
 }
 
 /// A half-edge of the largest component: on its boundary if it has one, so that boundaries come to lie on each other.
-HalfedgeId any_halfedge(const Side& side, bool on_boundary) {
-  const auto& counts = side.components.face_count;
+HalfedgeId any_halfedge(const Mesh& mesh, bool on_boundary) {
+  const Components components = connected_components(mesh);
+  const auto& counts = components.face_count;
   const auto largest = static_cast<std::uint32_t>(std::max_element(counts.begin(), counts.end()) - counts.begin());
   HalfedgeId first;
-  for (std::uint32_t number = 0; number < side.mesh.halfedge_count(); ++number) {
+  for (std::uint32_t number = 0; number < mesh.halfedge_count(); ++number) {
     const HalfedgeId h(number);
-    if (side.components.of_face[side.mesh.face(h)] != largest) continue;
+    if (components.of_face[mesh.face(h)] != largest) continue;
+    if (!on_boundary || !mesh.twin(h).valid()) return h;
     if (!first.valid()) first = h;
-    if (!on_boundary || !side.mesh.twin(h).valid()) return h;
   }
   return first;
 }
 
 /// §4.1: "if there are no extraordinary vertices at all, then we pick an arbitrary pair".
-AnchorSearch arbitrary_pair(const Side& source, const Side& target) {
+AnchorSearch arbitrary_pair(const Mesh& source, const Mesh& target) {
   AnchorSearch search;
   search.arbitrary = true;
-  if (source.mesh.face_count() == 0 || target.mesh.face_count() == 0) return search;
-  const auto has_boundary = [](const Side& side) { return !side.mesh.twin(any_halfedge(side, true)).valid(); };
-  const bool on_boundary = has_boundary(source) && has_boundary(target);
-  const Anchor anchor{any_halfedge(source, on_boundary), any_halfedge(target, on_boundary)};
-  if (source.mesh.size(source.mesh.face(anchor.source)) == target.mesh.size(target.mesh.face(anchor.target))) {
+  if (source.face_count() == 0 || target.face_count() == 0) return search;
+  Anchor anchor{any_halfedge(source, true), any_halfedge(target, true)};
+  if (source.twin(anchor.source).valid() != target.twin(anchor.target).valid()) {
+    anchor = {any_halfedge(source, false), any_halfedge(target, false)};
+  }
+  if (source.size(source.face(anchor.source)) == target.size(target.face(anchor.target))) {
     search.anchors.push_back(anchor);
   }
   return search;
@@ -200,12 +219,10 @@ AnchorSearch find_anchors(const Mesh& source_mesh, const ArcGraph& source_skelet
                           const PerFan<VertexCode>& source_codes, const Mesh& target_mesh,
                           const ArcGraph& target_skeleton, const PerFan<VertexCode>& target_codes,
                           const AnchorOptions& options) {
-  Side source{source_mesh, source_skeleton, source_codes, connected_components(source_mesh)};
-  Side target{target_mesh, target_skeleton, target_codes, connected_components(target_mesh)};
-  if (source_skeleton.nodes.empty() || target_skeleton.nodes.empty()) return arbitrary_pair(source, target);
+  if (source_skeleton.nodes.empty() || target_skeleton.nodes.empty()) return arbitrary_pair(source_mesh, target_mesh);
 
-  source.colours = initial_colours(source_skeleton, source_codes);
-  target.colours = initial_colours(target_skeleton, target_codes);
+  Side source{source_mesh, source_skeleton, source_codes};
+  Side target{target_mesh, target_skeleton, target_codes};
   AnchorSearch search;
   std::vector<Alignment> best;
   std::uint64_t best_pairs = ~std::uint64_t{0};
@@ -233,7 +250,7 @@ AnchorSearch find_anchors(const Mesh& source_mesh, const ArcGraph& source_skelet
     if (anchor.source.valid()) search.anchors.push_back(anchor);
     if (search.anchors.size() == options.count) break;
   }
-  if (search.anchors.empty()) return arbitrary_pair(source, target);
+  if (search.anchors.empty()) return arbitrary_pair(source_mesh, target_mesh);
   return search;
 }
 

@@ -1,12 +1,15 @@
 // Particle shooting, §4.3: one tracing, two graphs.
 //
 // The separatrix graph comes first: every particle is followed from its extraordinary vertex to where it rests. On the
-// way it counts, at each regular vertex, how many traces pass. A second walk along the same traces then cuts them at
-// the vertices where two of them cross or one of them ran into the boundary: that is the skeleton graph.
+// way it counts, at each regular vertex, how many traces pass. The same traces are then cut at the vertices where two
+// of them cross or one of them ran into the boundary: that is the skeleton graph.
 
 #include <quadmatch/analysis/skeleton.hpp>
 
 #include <algorithm>
+#include <iterator>
+#include <span>
+#include <utility>
 
 namespace quadmatch {
 namespace {
@@ -37,47 +40,29 @@ void for_each_leaving_dart(const Mesh& mesh, FanId fan, Visit visit) {
 /// Finds the spoke that leaves a node along a dart.
 class SpokeIndex {
  public:
-  explicit SpokeIndex(const Mesh& mesh) : of_halfedge_(mesh.halfedge_count(), kNone) {}
+  explicit SpokeIndex(const Mesh& mesh) : of_halfedge_(mesh.halfedge_count()) {}
 
+  /// Forget the backward darts; forward ones are overwritten, since the second graph has all spokes of the first.
+  void restart() { backward_.clear(); }
   /// A boundary half-edge is the start of two darts; the backward one is kept in a list of its own.
   void add(Dart dart, std::uint32_t spoke) {
     if (dart.backward) {
-      backward_.push_back({dart.halfedge, spoke});
+      backward_.emplace_back(dart.halfedge, spoke);
     } else {
       of_halfedge_[dart.halfedge] = spoke;
     }
   }
   void finish() { std::sort(backward_.begin(), backward_.end()); }
+  /// @pre the dart was added.
   [[nodiscard]] std::uint32_t find(Dart dart) const {
     if (!dart.backward) return of_halfedge_[dart.halfedge];
-    const auto place = std::lower_bound(backward_.begin(), backward_.end(), std::pair(dart.halfedge, 0U));
-    return place != backward_.end() && place->first == dart.halfedge ? place->second : kNone;
+    return std::lower_bound(backward_.begin(), backward_.end(), std::pair(dart.halfedge, 0U))->second;
   }
 
  private:
   PerHalfedge<std::uint32_t> of_halfedge_;
   std::vector<std::pair<HalfedgeId, std::uint32_t>> backward_;
 };
-
-/// Where a particle comes to rest: its last step, and how many edges it went.
-struct Rest {
-  Dart last;
-  std::uint32_t length;
-  bool at_node;
-};
-
-/// Follow a particle until `is_node` says that the vertex ahead is one, or the boundary stops it.
-template <class IsNode, class Pass>
-Rest follow(const Mesh& mesh, Dart dart, IsNode is_node, Pass pass) {
-  for (std::uint32_t length = 1;; ++length) {
-    const FanId ahead = fan_ahead(mesh, dart);
-    if (is_node(ahead)) return {dart, length, true};
-    const Dart next = straight_ahead(mesh, dart);
-    if (!next.halfedge.valid()) return {dart, length, false};
-    pass(ahead);
-    dart = next;
-  }
-}
 
 void join(ArcGraph& graph, std::uint32_t node, std::uint32_t spoke, std::uint32_t to_node, std::uint32_t to_spoke,
           std::uint32_t length) {
@@ -120,24 +105,7 @@ std::vector<std::uint32_t> owners(const ArcGraph& graph) {
   return owner;
 }
 
-/// Join every spoke to the one in which its particle comes to rest; both ends at once, so each arc is walked once.
-template <class IsNode, class Pass, class Stop>
-void shoot(const Mesh& mesh, ArcGraph& graph, const SpokeIndex& index, IsNode is_node, Pass pass, Stop stop) {
-  const std::vector<std::uint32_t> owner = owners(graph);
-  for (std::uint32_t spoke = 0; spoke < graph.spokes.size(); ++spoke) {
-    if (graph.spokes[spoke].length != 0) continue;
-    const Rest rest = follow(mesh, graph.spokes[spoke].start, is_node, pass);
-    if (rest.at_node) {
-      const std::uint32_t to_spoke = index.find(turned_back(mesh, rest.last));
-      join(graph, owner[spoke], spoke, owner[to_spoke], to_spoke, rest.length);
-    } else {
-      join(graph, owner[spoke], spoke, kNone, kNone, rest.length);
-      stop(fan_ahead(mesh, rest.last));
-    }
-  }
-}
-
-/// What the traces did at a vertex that is not extraordinary.
+/// What the traces did at the vertices that are not extraordinary.
 class Traffic {
  public:
   explicit Traffic(const Mesh& mesh) : passes_(mesh.fan_count(), 0), stopped_(mesh.fan_count(), false) {}
@@ -166,42 +134,73 @@ class Traffic {
   std::vector<FanId> crossings_, stops_;
 };
 
-/// The edges along which particles went.
-class TracedEdges {
- public:
-  explicit TracedEdges(const Mesh& mesh) : mesh_(&mesh), traced_(mesh.halfedge_count(), false) {}
+/// Every edge that a particle went along, once, particle after particle.
+struct Traces {
+  std::vector<Dart> darts;
+  std::vector<std::size_t> starts = {0};  ///< where each trace begins in `darts`, and the total
 
-  void add_run(const Spoke& spoke) {
-    Dart dart = spoke.start;
-    for (std::uint32_t step = 1;; ++step) {
-      traced_[HalfedgeId(mesh_->edge(dart.halfedge).value)] = true;
-      if (step == spoke.length) return;
-      dart = straight_ahead(*mesh_, dart);
-    }
+  [[nodiscard]] std::size_t count() const { return starts.size() - 1; }
+  [[nodiscard]] std::span<const Dart> trace(std::size_t number) const {
+    return std::span(darts).subspan(starts[number], starts[number + 1] - starts[number]);
   }
-  [[nodiscard]] bool contains(Dart dart) const { return traced_[HalfedgeId(mesh_->edge(dart.halfedge).value)]; }
-
- private:
-  const Mesh* mesh_;
-  PerHalfedge<bool> traced_;
 };
 
-ArcGraph cut_at_crossings(const Mesh& mesh, const PerFan<VertexCode>& codes, const ArcGraph& separatrices,
-                          const Traffic& traffic) {
-  TracedEdges traced(mesh);
+/// Shoot a particle from every spoke, and join it to the spoke in which it comes to rest: both ends at once, so that
+/// each trace is walked in one direction only.
+Traces shoot(const Mesh& mesh, const PerFan<VertexCode>& codes, ArcGraph& separatrices, const SpokeIndex& index,
+             Traffic& traffic) {
+  Traces traces;
+  const std::vector<std::uint32_t> owner = owners(separatrices);
   for (std::uint32_t spoke = 0; spoke < separatrices.spokes.size(); ++spoke) {
-    const Spoke& run = separatrices.spokes[spoke];
-    if (run.to_spoke == kNone || spoke <= run.to_spoke) traced.add_run(run);
+    if (separatrices.spokes[spoke].length != 0) continue;  // a particle came to rest here before
+    Dart here = separatrices.spokes[spoke].start;
+    traces.darts.push_back(here);
+    FanId ahead = fan_ahead(mesh, here);
+    while (!codes[ahead].extraordinary()) {
+      const Dart next = straight_ahead(mesh, here);
+      if (!next.halfedge.valid()) break;
+      traffic.pass(ahead);
+      traces.darts.push_back(here = next);
+      ahead = fan_ahead(mesh, here);
+    }
+    const auto length = static_cast<std::uint32_t>(traces.darts.size() - traces.starts.back());
+    traces.starts.push_back(traces.darts.size());
+    if (codes[ahead].extraordinary()) {
+      const std::uint32_t to_spoke = index.find(turned_back(mesh, here));
+      join(separatrices, owner[spoke], spoke, owner[to_spoke], to_spoke, length);
+    } else {
+      join(separatrices, owner[spoke], spoke, kNone, kNone, length);
+      traffic.stop(ahead);
+    }
   }
+  return traces;
+}
+
+/// The skeleton: the same traces, cut wherever they pass a node.
+ArcGraph cut_at_crossings(const Mesh& mesh, const PerFan<VertexCode>& codes, const std::vector<FanId>& extraordinary,
+                          const Traces& traces, const Traffic& traffic, SpokeIndex& index) {
+  std::vector<bool> traced(mesh.halfedge_count(), false);
+  for (const Dart dart : traces.darts) traced[mesh.edge(dart.halfedge).value] = true;
   std::vector<FanId> nodes;
   const std::vector<FanId> met = traffic.nodes();
-  std::merge(separatrices.nodes.begin(), separatrices.nodes.end(), met.begin(), met.end(), std::back_inserter(nodes));
+  std::merge(extraordinary.begin(), extraordinary.end(), met.begin(), met.end(), std::back_inserter(nodes));
+  index.restart();
+  ArcGraph skeleton =
+      graph_of_nodes(mesh, std::move(nodes), index, [&](Dart dart) { return traced[mesh.edge(dart.halfedge).value]; });
 
-  SpokeIndex index(mesh);
-  ArcGraph skeleton = graph_of_nodes(mesh, std::move(nodes), index, [&](Dart dart) { return traced.contains(dart); });
-  const auto is_node = [&](FanId fan) { return codes[fan].extraordinary() || traffic.is_node(fan); };
-  shoot(
-      mesh, skeleton, index, is_node, [](FanId) {}, [](FanId) {});
+  const std::vector<std::uint32_t> owner = owners(skeleton);
+  for (std::size_t number = 0; number < traces.count(); ++number) {
+    const std::span<const Dart> trace = traces.trace(number);
+    std::size_t start = 0;
+    for (std::size_t step = 0; step < trace.size(); ++step) {
+      const FanId ahead = fan_ahead(mesh, trace[step]);
+      if (!codes[ahead].extraordinary() && !traffic.is_node(ahead)) continue;
+      const std::uint32_t from = index.find(trace[start]);
+      const std::uint32_t to = index.find(turned_back(mesh, trace[step]));
+      join(skeleton, owner[from], from, owner[to], to, static_cast<std::uint32_t>(step + 1 - start));
+      start = step + 1;
+    }
+  }
   return skeleton;
 }
 
@@ -243,12 +242,10 @@ Tracing trace_skeleton(const Mesh& mesh, const PerFan<VertexCode>& codes) {
     return tracing;
   }
   SpokeIndex index(mesh);
-  tracing.separatrices = graph_of_nodes(mesh, std::move(extraordinary), index, [](Dart) { return true; });
+  tracing.separatrices = graph_of_nodes(mesh, extraordinary, index, [](Dart) { return true; });
   Traffic traffic(mesh);
-  shoot(
-      mesh, tracing.separatrices, index, [&](FanId fan) { return codes[fan].extraordinary(); },
-      [&](FanId fan) { traffic.pass(fan); }, [&](FanId fan) { traffic.stop(fan); });
-  tracing.skeleton = cut_at_crossings(mesh, codes, tracing.separatrices, traffic);
+  const Traces traces = shoot(mesh, codes, tracing.separatrices, index, traffic);
+  tracing.skeleton = cut_at_crossings(mesh, codes, extraordinary, traces, traffic, index);
   return tracing;
 }
 

@@ -22,13 +22,10 @@ struct AboutTip {
 
 }  // namespace
 
-CompatibilityGraph::CompatibilityGraph(const Growth& growth, const PerFan<VertexCode>& source_codes,
-                                       const PerFan<VertexCode>& target_codes)
+CompatibilityGraph::CompatibilityGraph(const Growth& growth)
     : growth_(growth),
       source_(growth.source()),
       target_(growth.target()),
-      source_codes_(source_codes),
-      target_codes_(target_codes),
       node_at_(growth.source().halfedge_count(), kNone) {}
 
 void CompatibilityGraph::extend(std::size_t from) {
@@ -39,17 +36,38 @@ void CompatibilityGraph::extend(std::size_t from) {
     }
   }
   new_nodes_.clear();
-  for (std::size_t place = from; place < order.size(); ++place) {
-    auto [s, t] = order[place];
-    for (std::uint32_t corner = source_.size(source_.face(s)); corner > 0; --corner) {
-      add_node({source_.twin(s), target_.twin(t)});
-      s = source_.next(s);
-      t = target_.next(t);
-    }
-  }
+  add_candidates(from);
   for (const std::uint32_t node : new_nodes_) link_about_origin(node);
   for (const std::uint32_t node : new_nodes_) link_about_tip(node);
   push_touched();
+}
+
+/// The possible pairs beyond the edges of all newly matched faces. In passes over a few hundred at a time, each asking
+/// the memory for what the next one reads: the wavefront is wide, so there is always something else to do meanwhile.
+void CompatibilityGraph::add_candidates(std::size_t from) {
+  constexpr std::size_t kAtATime = 256;
+  const auto& order = growth_.order();
+  for (std::size_t place = from; place < order.size();) {
+    beyond_.clear();
+    for (; place < order.size() && beyond_.size() < kAtATime; ++place) {
+      auto [s, t] = order[place];
+      for (std::uint32_t corner = source_.size(source_.face(s)); corner > 0; --corner) {
+        const Candidate beyond{source_.twin(s), target_.twin(t)};
+        if (beyond.source.valid() && beyond.target.valid() && !growth_.is_matched(source_.face(beyond.source)) &&
+            !growth_.is_taken(target_.face(beyond.target))) {
+          growth_.prefetch_faces(beyond);
+          beyond_.push_back(beyond);
+        }
+        s = source_.next(s);
+        t = target_.next(t);
+      }
+    }
+    std::erase_if(beyond_, [this](Candidate beyond) {
+      return source_.size(source_.face(beyond.source)) != target_.size(target_.face(beyond.target));
+    });
+    for (const Candidate beyond : beyond_) growth_.prefetch_vertices(beyond);
+    for (const Candidate beyond : beyond_) add_node(beyond);
+  }
 }
 
 std::vector<CompatibilityGraph::Member> CompatibilityGraph::take_largest() {
@@ -84,11 +102,6 @@ std::vector<CompatibilityGraph::Member> CompatibilityGraph::take_largest() {
 
 /// A wavefront edge with a possible pair beyond it.
 void CompatibilityGraph::add_node(Candidate candidate) {
-  if (!candidate.source.valid() || !candidate.target.valid()) return;
-  const FaceId q = source_.face(candidate.source);
-  const FaceId r = target_.face(candidate.target);
-  if (growth_.is_matched(q) || growth_.is_taken(r) || source_.size(q) != target_.size(r)) return;
-
   std::uint32_t number = static_cast<std::uint32_t>(nodes_.size());
   if (free_nodes_.empty()) {
     nodes_.emplace_back();
@@ -97,7 +110,7 @@ void CompatibilityGraph::add_node(Candidate candidate) {
     free_nodes_.pop_back();
   }
   Node& node = nodes_[number];
-  node = {.candidate = candidate, .disagreeing = disagreeing_corners(candidate)};
+  node = {.candidate = candidate, .disagreeing = growth_.disagreeing_corners(candidate)};
   node.run = new_run();
   Run& run = runs_[node.run];
   run.some_node = number;
@@ -170,19 +183,6 @@ void CompatibilityGraph::for_each_in_middle(std::uint32_t number, Visit visit) c
     t = target_.twin(target_.prev(t));
     if (!visit(Candidate{s, t})) return;
   }
-}
-
-/// Far corners whose codes, the colours of round 0, differ: a candidate that heads for trouble.
-std::uint32_t CompatibilityGraph::disagreeing_corners(Candidate candidate) const {
-  std::uint32_t disagreeing = 0;
-  HalfedgeId s = source_.next(source_.next(candidate.source));
-  HalfedgeId t = target_.next(target_.next(candidate.target));
-  while (s != candidate.source) {
-    disagreeing += source_codes_[source_.fan(s)] != target_codes_[target_.fan(t)];
-    s = source_.next(s);
-    t = target_.next(t);
-  }
-  return disagreeing;
 }
 
 // Runs.

@@ -23,8 +23,7 @@ namespace quadmatch {
 /// the nearer end, so that all updates together take O(n log n) in the worst case and close to linear time in practice.
 class CompatibilityGraph {
  public:
-  CompatibilityGraph(const Growth& growth, const PerFan<VertexCode>& source_codes,
-                     const PerFan<VertexCode>& target_codes);
+  explicit CompatibilityGraph(const Growth& growth);
 
   /// The region has grown by the pairs growth.order()[from ...]: take them off the wavefront and link what is new.
   void extend(std::size_t from);
@@ -85,6 +84,7 @@ class CompatibilityGraph {
     }
   };
 
+  void add_candidates(std::size_t from);
   void add_node(Candidate candidate);
   void remove_node(std::uint32_t node);
   void link_about_origin(std::uint32_t node);
@@ -96,7 +96,6 @@ class CompatibilityGraph {
   [[nodiscard]] Gap walk_gap(Candidate candidate, Turn turn) const;
   template <class Visit>
   void for_each_in_middle(std::uint32_t node, Visit visit) const;
-  [[nodiscard]] std::uint32_t disagreeing_corners(Candidate candidate) const;
 
   [[nodiscard]] std::uint32_t new_run();
   void free_run(std::uint32_t run);
@@ -111,14 +110,13 @@ class CompatibilityGraph {
   const Growth& growth_;
   const Mesh& source_;
   const Mesh& target_;
-  const PerFan<VertexCode>& source_codes_;
-  const PerFan<VertexCode>& target_codes_;
   PerHalfedge<std::uint32_t> node_at_;  // by candidate.source
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> free_nodes_;
   std::vector<Run> runs_;
   std::vector<std::uint32_t> free_runs_;
   std::vector<std::uint32_t> touched_;
+  std::vector<Candidate> beyond_;  // scratch of add_candidates
   std::vector<std::uint32_t> new_nodes_;
   std::uint64_t clock_ = 0;
   std::priority_queue<Entry> queue_;

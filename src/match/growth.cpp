@@ -2,14 +2,21 @@
 
 namespace quadmatch {
 
-Growth::Growth(const Mesh& source, const Mesh& target)
+Growth::Growth(const Mesh& source, const PerFan<VertexCode>& source_codes, const Mesh& target,
+               const PerFan<VertexCode>& target_codes)
     : source_(source),
       target_(target),
       matched_(source.face_count(), false),
       taken_(target.face_count(), false),
       image_of_first_(source.face_count()),
-      vertex_image_(source.vertex_count()),
-      vertex_origin_(target.vertex_count()) {}
+      source_vertices_(unpaired(source, source_codes)),
+      target_vertices_(unpaired(target, target_codes)) {}
+
+PerVertex<Growth::VertexState> Growth::unpaired(const Mesh& mesh, const PerFan<VertexCode>& codes) {
+  PerVertex<VertexState> vertices(mesh.vertex_count());
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) vertices[VertexId(v)].code = codes[FanId(v)];
+  return vertices;
+}
 
 HalfedgeId Growth::image(HalfedgeId h) const {
   const HalfedgeId first = image_of_first_[source_.face(h)];
@@ -33,10 +40,9 @@ bool Growth::fits(Candidate candidate) const {
 bool Growth::corners_agree(Candidate candidate, std::uint32_t size) const {
   auto [s, t] = candidate;
   for (std::uint32_t corner = 0; corner < size; ++corner) {
-    const VertexId v = source_.origin(s);
+    const VertexId image = source_vertices_[source_.origin(s)].partner;
     const VertexId w = target_.origin(t);
-    const VertexId image = vertex_image_[v];
-    if (image.valid() ? image != w : vertex_origin_[w].valid()) return false;
+    if (image.valid() ? image != w : target_vertices_[w].partner.valid()) return false;
     s = source_.next(s);
     t = target_.next(t);
   }
@@ -61,6 +67,30 @@ bool Growth::neighbours_agree(Candidate candidate, std::uint32_t size) const {
   return true;
 }
 
+std::uint32_t Growth::disagreeing_corners(Candidate candidate) const {
+  std::uint32_t disagreeing = 0;
+  HalfedgeId s = source_.next(source_.next(candidate.source));
+  HalfedgeId t = target_.next(target_.next(candidate.target));
+  while (s != candidate.source) {
+    disagreeing += source_vertices_[source_.origin(s)].code != target_vertices_[target_.origin(t)].code;
+    s = source_.next(s);
+    t = target_.next(t);
+  }
+  return disagreeing;
+}
+
+void Growth::prefetch_vertices(Candidate candidate) const {
+  // The two ends of the edge are matched and near; what is far is beyond.
+  HalfedgeId s = source_.next(source_.next(candidate.source));
+  HalfedgeId t = target_.next(target_.next(candidate.target));
+  while (s != candidate.source) {
+    __builtin_prefetch(&source_vertices_[source_.origin(s)]);
+    __builtin_prefetch(&target_vertices_[target_.origin(t)]);
+    s = source_.next(s);
+    t = target_.next(t);
+  }
+}
+
 void Growth::accept(Candidate candidate) {
   const FaceId q = source_.face(candidate.source);
   const FaceId r = target_.face(candidate.target);
@@ -69,8 +99,8 @@ void Growth::accept(Candidate candidate) {
   order_.push_back(candidate);
   auto [s, t] = candidate;
   for (std::uint32_t corner = source_.size(q); corner > 0; --corner) {
-    vertex_image_[source_.origin(s)] = target_.origin(t);
-    vertex_origin_[target_.origin(t)] = source_.origin(s);
+    source_vertices_[source_.origin(s)].partner = target_.origin(t);
+    target_vertices_[target_.origin(t)].partner = source_.origin(s);
     if (s == source_.first(q)) image_of_first_[q] = t;
     s = source_.next(s);
     t = target_.next(t);
@@ -97,7 +127,7 @@ Region Growth::region(Orientation orientation, bool with_waves) const {
 std::vector<VertexPair> Growth::vertex_pairs() const {
   std::vector<VertexPair> pairs;
   for (std::uint32_t v = 0; v < source_.vertex_count(); ++v) {
-    const VertexId image = vertex_image_[VertexId(v)];
+    const VertexId image = source_vertices_[VertexId(v)].partner;
     if (image.valid()) pairs.push_back({VertexId(v), image});
   }
   return pairs;

@@ -22,7 +22,8 @@ using Candidate = Anchor;
 /// order they come in, the region satisfies §3.
 class Growth {
  public:
-  Growth(const Mesh& source, const Mesh& target);
+  Growth(const Mesh& source, const PerFan<VertexCode>& source_codes, const Mesh& target,
+         const PerFan<VertexCode>& target_codes);
 
   [[nodiscard]] const Mesh& source() const { return source_; }
   [[nodiscard]] const Mesh& target() const { return target_; }
@@ -35,6 +36,17 @@ class Growth {
   /// May this pair join the region? Both faces are free, have equal corner counts, agree with the vertex map at every
   /// corner, and are adjacent to matched faces across corresponding edges only.
   [[nodiscard]] bool fits(Candidate candidate) const;
+  /// Corners beyond the edge of the candidate whose codes, the colours of round 0, differ.
+  [[nodiscard]] std::uint32_t disagreeing_corners(Candidate candidate) const;
+
+  /// Hints that fits() and disagreeing_corners() will be asked soon: first for the faces, and when those have had time
+  /// to arrive, for what is known of their vertices.
+  void prefetch_faces(Candidate candidate) const {
+    source_.prefetch(candidate.source);
+    target_.prefetch(candidate.target);
+  }
+  void prefetch_vertices(Candidate candidate) const;
+
   /// Extend mu. @pre fits(candidate), and an edge joins it to the region unless it is the seed.
   void accept(Candidate candidate);
   /// The faces matched since the last call form a wave.
@@ -50,16 +62,23 @@ class Growth {
   [[nodiscard]] std::vector<VertexPair> vertex_pairs() const;
 
  private:
+  /// A vertex with its partner in the other mesh, if it has one. A vertex of several fans has the code of its first.
+  struct VertexState {
+    VertexId partner;
+    VertexCode code;
+  };
+  [[nodiscard]] static PerVertex<VertexState> unpaired(const Mesh& mesh, const PerFan<VertexCode>& codes);
+
   [[nodiscard]] bool corners_agree(Candidate candidate, std::uint32_t size) const;
   [[nodiscard]] bool neighbours_agree(Candidate candidate, std::uint32_t size) const;
 
   const Mesh& source_;
   const Mesh& target_;
-  std::vector<bool> matched_;  // bits: the frontier asks for little else
+  std::vector<bool> matched_;  // bits: the wavefront asks for little else
   std::vector<bool> taken_;
   PerFace<HalfedgeId> image_of_first_;  // image of each matched source face's first half-edge
-  PerVertex<VertexId> vertex_image_;
-  PerVertex<VertexId> vertex_origin_;
+  PerVertex<VertexState> source_vertices_;
+  PerVertex<VertexState> target_vertices_;
   std::vector<Candidate> order_;
   std::vector<std::uint32_t> waves_;
 };
@@ -68,8 +87,7 @@ class Growth {
 bool grow_greedily(Growth& growth, const GrowthProgress& progress);
 
 /// §4.5: accept the largest component of the compatibility graph, again and again. False if cancelled.
-bool grow_lazily(Growth& growth, const PerFan<VertexCode>& source_codes, const PerFan<VertexCode>& target_codes,
-                 const GrowthProgress& progress);
+bool grow_lazily(Growth& growth, const GrowthProgress& progress);
 
 /// Count what speaks for a vertex map: extraordinary vertices touched on either side, and those that agree.
 [[nodiscard]] Evidence weigh(const std::vector<VertexPair>& vertices, const PerFan<VertexCode>& source_codes,

@@ -26,9 +26,8 @@ void accept_component(Growth& growth, const std::vector<CompatibilityGraph::Memb
 
 }  // namespace
 
-bool grow_lazily(Growth& growth, const PerFan<VertexCode>& source_codes, const PerFan<VertexCode>& target_codes,
-                 const GrowthProgress& progress) {
-  CompatibilityGraph graph(growth, source_codes, target_codes);
+bool grow_lazily(Growth& growth, const GrowthProgress& progress) {
+  CompatibilityGraph graph(growth);
   graph.extend(0);
   std::size_t report = kFacesBetweenReports;
   for (auto component = graph.take_largest(); !component.empty(); component = graph.take_largest()) {

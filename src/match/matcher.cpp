@@ -38,7 +38,7 @@ MatchResult match_laid(const Analysis& source, const Analysis& target, const Mat
                        Orientation orientation) {
   MatchResult result;
   result.search = anchors_for(source, target, options);
-  Growth growth(source.mesh, target.mesh);
+  Growth growth(source.mesh, source.codes, target.mesh, target.codes);
   for (const Anchor& anchor : result.search.anchors) {
     if (!growth.fits(anchor)) continue;
     result.seed = anchor;
@@ -53,9 +53,8 @@ MatchResult match_laid(const Analysis& source, const Analysis& target, const Mat
     const std::size_t most = std::min(source.mesh.face_count(), target.mesh.face_count());
     progress = [&, most](std::size_t matched) { return options.progress(matched, most); };
   }
-  result.match.complete = options.algorithm == Algorithm::Greedy
-                              ? grow_greedily(growth, progress)
-                              : grow_lazily(growth, source.codes, target.codes, progress);
+  result.match.complete =
+      options.algorithm == Algorithm::Greedy ? grow_greedily(growth, progress) : grow_lazily(growth, progress);
   result.match.vertices = growth.vertex_pairs();
   result.match.regions.push_back(growth.region(orientation, options.waves));
   result.match.regions.front().evidence = weigh(result.match.vertices, source.codes, target.codes);

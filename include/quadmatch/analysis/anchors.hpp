@@ -38,12 +38,13 @@ struct AnchorSearch {
 /// Find anchors as §4.1 does: colour both skeleton graphs round by round until a colour is unique in both meshes or
 /// `rounds` are made, take the rarest colour, then look for matching neighbours.
 ///
-/// Among equally rare colours those stand first whose neighbours' colours agree in more places, then those in larger
-/// components, then the smaller colour: none of which depends on the numbering.
+/// Among equally rare colours those stand first whose neighbours' colours disagree in fewer places, then those in
+/// larger components of the skeleton (by edges traced), then the smaller colour: none of which depends on the
+/// numbering.
 ///
 /// @par Reading  Where the neighbourhood is rotationally symmetric several alignments are equally good; all are
 ///               returned, in order.
-/// @par Cost     O(rounds * #spokes + F).
+/// @par Cost     O(rounds * #spokes log #spokes); O(F) where a mesh has no extraordinary vertex.
 [[nodiscard]] AnchorSearch find_anchors(const Mesh& source, const ArcGraph& source_skeleton,
                                         const PerFan<VertexCode>& source_codes, const Mesh& target,
                                         const ArcGraph& target_skeleton, const PerFan<VertexCode>& target_codes,

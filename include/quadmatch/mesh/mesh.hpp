@@ -145,6 +145,13 @@ class Mesh {
   /// Number of edges of a fan, the paper's degree. O(valence).
   [[nodiscard]] std::uint32_t valence(FanId p) const;
 
+  /// A hint that the half-edges of a face will be read soon. Growth jumps about in meshes far larger than any cache;
+  /// asked for early, the answers of many faces travel at the same time.
+  void prefetch(HalfedgeId h) const {
+    __builtin_prefetch(&origin_[h.value]);
+    __builtin_prefetch(&twin_[h.value]);
+  }
+
   // Geometry, secondary always.
   /// #V points, or none.
   [[nodiscard]] std::span<const Point> positions() const { return positions_; }
