@@ -49,10 +49,10 @@ struct Evidence {
 struct Region {
   Orientation orientation = Orientation::Preserving;
   /// In the order in which they grew; the first is the seed.
-  std::vector<FacePair> faces;
+  std::vector<FacePair> faces = {};
   /// How many faces had been matched at the end of each wave, ascending; the last is faces.size(). Empty: not kept.
-  std::vector<std::uint32_t> waves;
-  Evidence evidence;
+  std::vector<std::uint32_t> waves = {};
+  Evidence evidence = {};
 };
 
 struct Match {
