@@ -28,8 +28,6 @@ class Judge {
       : source_(source),
         target_(target),
         kept_(kept),
-        source_used_(source.face_count(), 0),
-        target_used_(target.face_count(), 0),
         face_image_(source.face_count()),
         face_origin_(target.face_count()),
         reached_(source.face_count(), 0),
@@ -74,9 +72,6 @@ class Judge {
   const Mesh& target_;
   const std::size_t kept_;
   Verdict verdict_;
-
-  // Over all regions.
-  PerFace<std::uint8_t> source_used_, target_used_;
 
   // The region being judged.
   std::uint32_t region_ = 0;
@@ -134,11 +129,11 @@ bool Judge::names_a_pair(const FacePair& pair) {
           source.value, target.value, source_.size(source), target_.size(target), rotation);
     return false;
   }
-  if (source_used_[source] != 0 || target_used_[target] != 0) {
+  const bool source_twice = face_image_[source].region != FaceId::kNone;
+  if (source_twice || face_origin_[target].region != FaceId::kNone) {
     fault(FaultKind::FaceTwice, "region {}, pair {} -> {}: the {} face is matched twice", region_, source.value,
-          target.value, source_used_[source] != 0 ? "source" : "target");
+          target.value, source_twice ? "source" : "target");
   }
-  source_used_[source] = target_used_[target] = 1;
   return true;
 }
 
@@ -184,11 +179,15 @@ void Judge::judge_side(const FacePair& pair, std::uint32_t corner) {
   const HalfedgeId beside = source_.twin(HalfedgeId(source_.first(pair.source).value + corner));
   const HalfedgeId beside_target = target_.twin(side_image(pair, corner));
   const bool matched = beside.valid() && is_image(source_.face(beside));
+  if (matched && beside_target.valid() &&
+      pairs_[face_image_[source_.face(beside)].value].target == target_.face(beside_target)) {
+    return;
+  }
   const bool matched_target = beside_target.valid() && is_target(target_.face(beside_target));
   if (matched != matched_target) {
     fault(FaultKind::AdjacencyLost, "region {}, pair {} -> {}: adjacent to a matched face in the {} only, at side {}",
           region_, pair.source.value, pair.target.value, matched ? "source" : "target", corner);
-  } else if (matched && pairs_[face_image_[source_.face(beside)].value].target != target_.face(beside_target)) {
+  } else if (matched) {
     fault(FaultKind::AdjacencyLost, "region {}, pair {} -> {}: the faces beside it at side {}, {} and {}, are no pair",
           region_, pair.source.value, pair.target.value, corner, source_.face(beside).value,
           target_.face(beside_target).value);
