@@ -14,8 +14,8 @@ namespace quadmatch {
 
 enum class Format { Obj, Ply, Off, Usda };
 
-/// What an attribute belongs to.
-enum class Domain { Vertex, Corner, Face };
+/// What an attribute belongs to; Further is an element of a PLY file that is neither vertex nor face.
+enum class Domain { Vertex, Corner, Face, Further };
 
 /// How a number is stored in the file; in memory all are doubles, which hold each of these exactly.
 enum class ScalarType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 };
@@ -27,12 +27,13 @@ struct IndexedAttribute {
 
   std::uint32_t components = 0;
   /// #tuples by `components`, row by row.
-  std::vector<double> values;
+  std::vector<double> values = {};
   /// One per corner of the mesh, or kNoIndex.
-  std::vector<std::uint32_t> corner_index;
+  std::vector<std::uint32_t> corner_index = {};
 };
 
-/// A named value for every element of a domain: a PLY property, an OBJ vertex colour.
+/// A named value for every element of a domain: a PLY property, an OBJ vertex colour (`red`, `green`, `blue`, `alpha`
+/// and the weight `w`).
 struct Property {
   std::string name;
   Domain domain = Domain::Vertex;
@@ -50,10 +51,19 @@ struct FaceRecord {
   std::string value;
 };
 
-/// Elements that are no faces and are only carried along: OBJ's `l` and `p`, PLY's further elements, as text.
+/// A line that is only carried along, and written again to files of the same format: OBJ's `l` and `p` with absolute
+/// indices, PLY's `obj_info`.
 struct CarriedRecord {
-  std::uint32_t before_face = 0;
+  std::uint32_t before_face = 0;    ///< may equal the number of faces
+  std::uint32_t before_record = 0;  ///< how many FaceRecords stand above it
   std::string text;
+};
+
+/// An element of a PLY file that is neither vertex nor face, e.g. its edges: carried along, not understood.
+struct FurtherElement {
+  std::string name;
+  std::uint32_t count = 0;
+  std::vector<Property> properties = {};  ///< of domain Further
 };
 
 struct MeshFile {
@@ -61,6 +71,8 @@ struct MeshFile {
   Format format = Format::Obj;
   /// As given, `-` for standard input.
   std::string path = {};
+  /// How a PLY file stores, and stored, the positions.
+  ScalarType position_type = ScalarType::Float64;
 
   std::optional<IndexedAttribute> texture_coordinates = {};
   std::optional<IndexedAttribute> normals = {};
@@ -68,6 +80,8 @@ struct MeshFile {
   std::vector<FaceRecord> face_records = {};
   std::vector<std::string> material_libraries = {};
   std::vector<CarriedRecord> carried = {};
+  std::vector<FurtherElement> further_elements = {};
+  /// Without the sign that begins a comment and one blank.
   std::vector<std::string> comments = {};
   /// What the reader met and did not keep or had to guess, one sentence each, for the user.
   std::vector<std::string> notes = {};
