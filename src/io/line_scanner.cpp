@@ -11,16 +11,20 @@ std::string quoted(std::string_view text) {
 
 std::string LineScanner::take_rest_of_line() {
   std::string text;
+  const auto trim = [&text] {
+    while (!text.empty() && is_blank(text.back())) text.pop_back();
+  };
   skip_blanks();
   while (!is_line_end(*here_)) {
     if (*here_ == '\\' && continues_ && is_line_end(here_[1])) {
       skip_blanks();
+      trim();
       text += ' ';
     } else {
       text += *here_++;
     }
   }
-  while (!text.empty() && is_blank(text.back())) text.pop_back();
+  trim();
   return text;
 }
 

@@ -333,7 +333,7 @@ bool MatchListener::boolean(bool value) {
 }
 
 bool MatchListener::parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception&) {
-  if (position >= bytes_.size() && token.empty()) {
+  if (position > bytes_.size()) {  // it has read the end itself
     return fail(ErrorCode::Truncated, fmt::format("the match file ends too early; {}", kRematch));
   }
   return fail(ErrorCode::Syntax, fmt::format("this is not JSON at {}; {}", io::quoted(token), kRematch));

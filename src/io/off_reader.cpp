@@ -30,6 +30,7 @@ class OffReader {
   bool read_face();
   bool skip_to_data(const char* what);
   bool take_coordinate(double& value);
+  void end_line();
   void skip_empty_lines();
   MeshFile assemble(Mesh mesh);
   bool fail(ErrorCode code, std::string message) {
@@ -56,12 +57,15 @@ class OffReader {
   std::vector<std::string> comments_;
 };
 
-/// Go to the next line that holds data, keeping the comments on the way.
+/// Go to the next line, keeping a comment.
+void OffReader::end_line() {
+  if (scanner_.data_ends() && *scanner_.here() == '#') comments_.push_back(scanner_.take_comment());
+  scanner_.next_line();
+}
+
+/// Go to the next line that holds data.
 void OffReader::skip_empty_lines() {
-  while (!scanner_.at_end() && scanner_.data_ends()) {
-    if (*scanner_.here() == '#') comments_.push_back(scanner_.take_comment());
-    scanner_.next_line();
-  }
+  while (!scanner_.at_end() && scanner_.data_ends()) end_line();
 }
 
 bool OffReader::skip_to_data(const char* what) {
@@ -73,9 +77,9 @@ bool OffReader::skip_to_data(const char* what) {
 /// OFF, with ST for texture coordinates, C for colours and N for normals in front. It may be missing.
 bool OffReader::read_keyword() {
   if (!skip_to_data("its counts")) return false;
-  if (is_digit(*scanner_.here())) return true;
   std::string_view prefix = scanner_.peek_token();
   if (prefix.size() < 3 || prefix.substr(prefix.size() - 3) != "OFF") {
+    if (is_digit(*scanner_.here())) return true;
     return fail(ErrorCode::Syntax, "an OFF file begins with the word 'OFF'; check the name or export the mesh again");
   }
   const std::string_view keyword = scanner_.take_token();
@@ -187,8 +191,8 @@ bool OffReader::read_face() {
 
 Expected<MeshFile> OffReader::read() {
   if (!read_keyword() || !read_counts()) return Unexpected(std::move(error_));
-  scanner_.next_line();
-  for (std::uint32_t v = 0; v < vertex_count_; ++v, scanner_.next_line()) {
+  end_line();
+  for (std::uint32_t v = 0; v < vertex_count_; ++v, end_line()) {
     skip_empty_lines();
     if (scanner_.at_end()) {
       fail(ErrorCode::Truncated,
@@ -198,7 +202,7 @@ Expected<MeshFile> OffReader::read() {
     if (!read_vertex()) return Unexpected(std::move(error_));
   }
   faces_.soup().vertex_count = vertex_count_;
-  for (std::uint32_t f = 0; f < face_count_; ++f, scanner_.next_line()) {
+  for (std::uint32_t f = 0; f < face_count_; ++f, end_line()) {
     skip_empty_lines();
     if (scanner_.at_end()) {
       fail(ErrorCode::Truncated,
