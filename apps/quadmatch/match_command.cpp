@@ -1,0 +1,236 @@
+// quadmatch match A B: read, match, verify, write, report.
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include <quadmatch/io/match_file.hpp>
+#include <quadmatch/match/matcher.hpp>
+#include <quadmatch/verify/verify.hpp>
+
+#include "anchor_option.hpp"
+#include "command.hpp"
+#include "console.hpp"
+#include "dirt.hpp"
+#include "inputs.hpp"
+#include "match_report.hpp"
+#include "text.hpp"
+
+namespace quadmatch::cli {
+namespace {
+
+constexpr const char* kFooter = R"(The match file lists, for each matched face of A, the face of B and how it is turned,
+and for each vertex its partner. Without -o it goes to standard output and the summary
+to standard error; with --json and no -o, only the figures are printed.
+
+An anchor is a place you know to be the same; growth starts there. Count from 0:
+  --anchor 12:0=90:1    corner 0 of face 12 lies on corner 1 of face 90
+  --anchor 5-6=31-30    the edge from vertex 5 to 6 lies on the edge from 31 to 30
+  --anchor 5=31         vertex 5 lies on vertex 31; the alignment is found
+With an anchor and --orientation auto both ways round are tried, and the larger match kept.
+
+Examples:
+  quadmatch match bear.obj bear_without_ears.obj -o bears.json
+  quadmatch match left_shoe.obj right_shoe.obj -o shoes.json --orientation reversing
+  quadmatch match a.ply b.usda --json | jq .matched_faces
+
+Exit status: 0 matched, in whole or in part; 1 nothing matched; 2 trouble.)";
+
+const std::map<std::string, Algorithm> kAlgorithms{{"lazy-greedy", Algorithm::LazyGreedy},
+                                                   {"greedy", Algorithm::Greedy}};
+const std::map<std::string, OrientationChoice> kOrientations{{"auto", OrientationChoice::Auto},
+                                                             {"preserving", OrientationChoice::Preserving},
+                                                             {"reversing", OrientationChoice::Reversing}};
+
+struct MatchArguments {
+  std::string source, target;
+  std::string output;
+  std::string algorithm = "lazy-greedy";
+  std::string orientation = "auto";
+  std::vector<std::string> anchors;
+  bool arc_lengths = false;
+  std::uint32_t rounds = AnchorOptions{}.rounds;
+  bool waves = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+MatchOptions options_of(const MatchArguments& arguments, Progress& progress) {
+  MatchOptions options;
+  options.algorithm = kAlgorithms.at(arguments.algorithm);
+  options.orientation = kOrientations.at(arguments.orientation);
+  options.anchor_search.rounds = arguments.rounds;
+  options.anchor_search.colouring.arc_lengths = arguments.arc_lengths;
+  options.waves = arguments.waves;
+  if (progress.visible()) {
+    options.progress = [&progress](std::size_t matched, std::size_t most) {
+      progress.update(matched, most);
+      return true;
+    };
+  }
+  return options;
+}
+
+/// What was asked for, as the match file remembers it.
+std::vector<std::pair<std::string, std::string>> settings_of(const MatchArguments& arguments) {
+  std::vector<std::pair<std::string, std::string>> settings{{"program", "quadmatch " QUADMATCH_VERSION},
+                                                            {"algorithm", arguments.algorithm},
+                                                            {"orientation", arguments.orientation},
+                                                            {"rounds", std::to_string(arguments.rounds)},
+                                                            {"arc_lengths", arguments.arc_lengths ? "true" : "false"}};
+  if (!arguments.anchors.empty()) settings.emplace_back("anchors", joined(arguments.anchors, " "));
+  return settings;
+}
+
+/// Grow from the user's anchors, laid one way round.
+Expected<MatchResult> match_from(const MatchArguments& arguments, const NamedMesh& source, const NamedMesh& target,
+                                 MatchOptions options, Orientation orientation) {
+  const bool preserving = orientation == Orientation::Preserving;
+  options.orientation = preserving ? OrientationChoice::Preserving : OrientationChoice::Reversing;
+  for (const std::string& text : arguments.anchors) {
+    const Expected<std::vector<UserAnchor>> anchors = parse_anchor(text, source, target, orientation);
+    if (!anchors) return Unexpected(anchors.error());
+    options.anchors.insert(options.anchors.end(), anchors->begin(), anchors->end());
+  }
+  return match(source.mesh, target.mesh, options);
+}
+
+/// An anchor of vertices or edges means other corners when the target is turned over, so each way round has its own.
+Expected<MatchResult> match_as_asked(const MatchArguments& arguments, const NamedMesh& source, const NamedMesh& target,
+                                     Progress& progress) {
+  const MatchOptions options = options_of(arguments, progress);
+  if (arguments.anchors.empty()) return match(source.mesh, target.mesh, options);
+  if (options.orientation == OrientationChoice::Preserving) {
+    return match_from(arguments, source, target, options, Orientation::Preserving);
+  }
+  Expected<MatchResult> reversing = match_from(arguments, source, target, options, Orientation::Reversing);
+  if (options.orientation == OrientationChoice::Reversing) return reversing;
+
+  Expected<MatchResult> preserving = match_from(arguments, source, target, options, Orientation::Preserving);
+  if (!preserving) return reversing ? std::move(reversing) : std::move(preserving);
+  if (!reversing) return preserving;
+  const bool larger = reversing->match.matched_faces() > preserving->match.matched_faces();
+  return larger ? std::move(reversing) : std::move(preserving);
+}
+
+MatchSide side_of(const MeshFile& file) { return {file.path, file.mesh.vertex_count(), file.mesh.face_count()}; }
+
+/// No match leaves this program that the definition does not allow.
+bool is_sound(const MeshFile& source, const MeshFile& target, const Match& match) {
+  const Verdict verdict = verify(source.mesh, target.mesh, match, 1);
+  if (verdict.sound()) return true;
+  complain(fmt::format("internal error: the match found is not sound ({}); nothing was written, please report it",
+                       verdict.faults.front().message));
+  return false;
+}
+
+/// Figures go to standard output, and a summary wherever the match file does not.
+bool tell(const MatchArguments& arguments, const MatchReport& report) {
+  if (arguments.json) return print(as_json(report));
+  if (arguments.quiet) return true;
+  if (!report.output.empty()) return print(as_text(report));
+  fmt::print(stderr, "{}", as_text(report));
+  return true;
+}
+
+void warn_of_dirt(const MeshFile& file) {
+  const std::string dirt = describe_dirt(file.mesh, "matching");
+  if (!dirt.empty()) warn(fmt::format("{}: {}", display_name(file.path), dirt));
+}
+
+int run_match(const MatchArguments& arguments) {
+  if (!paths_fit({arguments.source, arguments.target}, arguments.output)) return kTrouble;
+  if (arguments.json && arguments.output == "-") {
+    complain("--json and -o - would mix figures and match file on standard output; write the match to a file");
+    return kTrouble;
+  }
+  Progress progress(!arguments.quiet);
+  Stopwatch stopwatch;
+  progress.stage("reading");
+  const std::optional<MeshFile> source = read_input(arguments.source, !arguments.quiet);
+  if (!source) return kTrouble;
+  progress.stage("reading");
+  const std::optional<MeshFile> target = read_input(arguments.target, !arguments.quiet);
+  if (!target) return kTrouble;
+  Times times;
+  times.reading = stopwatch.lap();
+  if (!arguments.quiet) {
+    warn_of_dirt(*source);
+    warn_of_dirt(*target);
+    stopwatch.lap();
+  }
+
+  progress.stage("matching");
+  Expected<MatchResult> result = match_as_asked(arguments, {source->mesh, display_name(arguments.source)},
+                                                {target->mesh, display_name(arguments.target)}, progress);
+  if (!result) return complain(result.error());
+  times.matching = stopwatch.lap();
+  progress.stage("verifying");
+  if (!is_sound(*source, *target, result->match)) return kTrouble;
+  times.verifying = stopwatch.lap();
+
+  MatchReport report = report_match(source->mesh, target->mesh, *result, !arguments.anchors.empty());
+  stopwatch.lap();
+  progress.stage("writing");
+  const MatchFile file{side_of(*source), side_of(*target), std::move(result->match), settings_of(arguments)};
+  if (const bool figures_only = arguments.json && arguments.output.empty(); !figures_only) {
+    const std::string output = arguments.output.empty() ? "-" : arguments.output;
+    if (Expected<void> written = write_match(output, file); !written) return complain(written.error());
+    if (output != "-") report.output = output;
+  }
+  times.writing = stopwatch.lap();
+  progress.clear();
+
+  report.source.path = arguments.source;
+  report.target.path = arguments.target;
+  report.settings = file.settings;
+  report.times = times;
+  if (!tell(arguments, report)) return kTrouble;
+  return report.matched_faces() > 0 ? kSame : kDifferent;
+}
+
+}  // namespace
+
+namespace {
+
+template <class Choice>
+CLI::Validator one_of(const std::map<std::string, Choice>& choices) {
+  return CLI::IsMember(choices).description("");  // the help names them in a sentence
+}
+
+}  // namespace
+
+void add_match_command(CLI::App& program, Action& chosen) {
+  MatchArguments* arguments = nullptr;
+  CLI::App* const verb =
+      add_verb(program, "match", "Match two meshes and write the match file", arguments, run_match, chosen);
+  verb->footer(kFooter);
+  verb->add_option("A", arguments->source, "Source mesh; - reads standard input")->required()->type_name("FILE");
+  verb->add_option("B", arguments->target, "Target mesh")->required()->type_name("FILE");
+  verb->add_option("-o,--output", arguments->output, "Match file to write (JSON); - or none: standard output")
+      ->type_name("FILE");
+  verb->add_option("--algorithm", arguments->algorithm,
+                   "lazy-greedy: the largest compatible component first; greedy: every face that fits, wave by wave")
+      ->check(one_of(kAlgorithms))
+      ->type_name("NAME")
+      ->capture_default_str();
+  verb->add_option("--orientation", arguments->orientation,
+                   "preserving, reversing (a mirror image), or auto: reversing where preserving leaves much unmatched")
+      ->check(one_of(kOrientations))
+      ->type_name("NAME")
+      ->capture_default_str();
+  verb->add_option("--anchor", arguments->anchors, "Grow from here (see below); the first that fits is taken")
+      ->type_name("PLACE=PLACE")
+      ->allow_extra_args(false);
+  verb->add_option("--rounds", arguments->rounds, "Rounds of colouring at most when anchors are sought")
+      ->type_name("K")
+      ->capture_default_str();
+  verb->add_flag("--arc-lengths", arguments->arc_lengths,
+                 "Colour by the lengths of skeleton arcs too: finds more, but inserted edge loops disturb it");
+  verb->add_flag("--waves", arguments->waves, "Keep the order of growth, wave by wave, in the match file");
+  verb->add_flag("--json", arguments->json, "Print the figures as JSON");
+  verb->add_flag("--quiet", arguments->quiet, "Print neither summary nor warnings");
+}
+
+}  // namespace quadmatch::cli

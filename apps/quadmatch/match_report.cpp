@@ -1,0 +1,183 @@
+#include "match_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <quadmatch/mesh/per_element.hpp>
+
+#include "inputs.hpp"
+#include "json.hpp"
+#include "text.hpp"
+
+namespace quadmatch::cli {
+namespace {
+
+/// Connected areas of the faces that are not in `taken`; takes them all.
+std::uint32_t count_areas(const Mesh& mesh, PerFace<std::uint8_t> taken) {
+  std::uint32_t areas = 0;
+  std::vector<FaceId> to_visit;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    if (taken[FaceId(f)] != 0) continue;
+    ++areas;
+    taken[FaceId(f)] = 1;
+    to_visit.assign(1, FaceId(f));
+    while (!to_visit.empty()) {
+      const FaceId face = to_visit.back();
+      to_visit.pop_back();
+      for (const HalfedgeId h : mesh.halfedges(face)) {
+        const HalfedgeId other = mesh.twin(h);
+        if (!other.valid() || taken[mesh.face(other)] != 0) continue;
+        taken[mesh.face(other)] = 1;
+        to_visit.push_back(mesh.face(other));
+      }
+    }
+  }
+  return areas;
+}
+
+SideReport report_side(const Mesh& mesh, const Match& match, FaceId FacePair::*side) {
+  PerFace<std::uint8_t> matched(mesh.face_count(), 0);
+  for (const Region& region : match.regions) {
+    for (const FacePair& pair : region.faces) matched[pair.*side] = 1;
+  }
+  SideReport report;
+  report.vertices = mesh.vertex_count();
+  report.faces = mesh.face_count();
+  report.matched_faces = static_cast<std::uint32_t>(match.matched_faces());
+  report.unmatched_areas = count_areas(mesh, std::move(matched));
+  return report;
+}
+
+const char* to_string(Orientation orientation) {
+  return orientation == Orientation::Preserving ? "preserving" : "reversing";
+}
+
+std::string describe(const SeedReport& seed) {
+  const std::string place = fmt::format("corner {} of f{} on corner {} of f{}", seed.source_corner,
+                                        seed.source_face.value, seed.target_corner, seed.target_face.value);
+  if (seed.given) return place + ", as given";
+  if (seed.arbitrary) return place + ", any pair, as no vertex stands out";
+  const std::string rounds = counted(seed.rounds, "round");
+  if (seed.source_rarity == 1 && seed.target_rarity == 1) {
+    return fmt::format("{}, unique in both meshes after {}", place, rounds);
+  }
+  return fmt::format("{}, one of {} and {} alike after {}", place, seed.source_rarity, seed.target_rarity, rounds);
+}
+
+std::string describe(const RegionReport& region) {
+  const Evidence& evidence = region.evidence;
+  return fmt::format("{}, {}; {} agree, of {} touched in the source and {} in the target",
+                     counted(region.faces, "face"), to_string(region.orientation),
+                     counted(evidence.agreeing, "extraordinary vertex", "extraordinary vertices"),
+                     grouped(evidence.source_extraordinary), grouped(evidence.target_extraordinary));
+}
+
+std::string describe(const SideReport& side) {
+  const std::string faces = fmt::format("{}: {}", display_name(side.path), counted(side.faces, "face"));
+  if (side.unmatched_faces() == 0) return faces + ", all matched";
+  return fmt::format("{}, {} matched, {} unmatched in {}", faces, percent(side.matched_faces, side.faces),
+                     grouped(side.unmatched_faces()), counted(side.unmatched_areas, "area"));
+}
+
+Json side_json(const SideReport& side) {
+  const double coverage = side.faces == 0 ? 0.0 : static_cast<double>(side.matched_faces) / side.faces;
+  return {{"path", side.path},
+          {"vertices", side.vertices},
+          {"faces", side.faces},
+          {"matched_faces", side.matched_faces},
+          {"coverage", coverage},
+          {"unmatched_faces", side.unmatched_faces()},
+          {"unmatched_areas", side.unmatched_areas}};
+}
+
+Json seed_json(const std::optional<SeedReport>& seed) {
+  if (!seed) return nullptr;
+  Json json = {{"source_face", seed->source_face.value},
+               {"source_corner", seed->source_corner},
+               {"target_face", seed->target_face.value},
+               {"target_corner", seed->target_corner},
+               {"found_by", seed->given       ? "user"
+                            : seed->arbitrary ? "arbitrary choice"
+                                              : "colour"}};
+  if (!seed->given && !seed->arbitrary) {
+    json["rounds"] = seed->rounds;
+    json["source_rarity"] = seed->source_rarity;
+    json["target_rarity"] = seed->target_rarity;
+  }
+  return json;
+}
+
+Json region_json(const RegionReport& region) {
+  return {{"orientation", to_string(region.orientation)},
+          {"faces", region.faces},
+          {"evidence",
+           {{"agreeing", region.evidence.agreeing},
+            {"source_extraordinary", region.evidence.source_extraordinary},
+            {"target_extraordinary", region.evidence.target_extraordinary}}}};
+}
+
+/// To the microsecond.
+double rounded(double milliseconds) { return std::round(milliseconds * 1000.0) / 1000.0; }
+
+}  // namespace
+
+MatchReport report_match(const Mesh& source, const Mesh& target, const MatchResult& result, bool anchors_given) {
+  MatchReport report;
+  report.source = report_side(source, result.match, &FacePair::source);
+  report.target = report_side(target, result.match, &FacePair::target);
+  report.matched_vertices = static_cast<std::uint32_t>(result.match.vertices.size());
+  for (const Region& region : result.match.regions) {
+    report.regions.push_back({region.orientation, static_cast<std::uint32_t>(region.faces.size()), region.evidence});
+  }
+  if (const Anchor& seed = result.seed; seed.source.valid()) {
+    report.seed = SeedReport{.source_face = source.face(seed.source),
+                             .target_face = target.face(seed.target),
+                             .source_corner = source.corner(seed.source),
+                             .target_corner = target.corner(seed.target),
+                             .given = anchors_given,
+                             .arbitrary = result.search.arbitrary,
+                             .rounds = result.search.rounds,
+                             .source_rarity = result.search.source_rarity,
+                             .target_rarity = result.search.target_rarity};
+  }
+  return report;
+}
+
+std::string as_text(const MatchReport& report) {
+  Lines lines;
+  lines.add("source", describe(report.source));
+  lines.add("target", describe(report.target));
+  lines.add("matched", report.regions.empty() ? "nothing"
+                                              : fmt::format("{}, {}", counted(report.matched_faces(), "face"),
+                                                            counted(report.matched_vertices, "vertex", "vertices")));
+  for (const RegionReport& region : report.regions) lines.add("region", describe(region));
+  if (report.seed) lines.add("anchor", describe(*report.seed));
+  lines.add("time", fmt::format("reading {}, matching {}, verifying {}", duration(report.times.reading),
+                                duration(report.times.matching), duration(report.times.verifying)));
+  if (!report.output.empty()) lines.add("written", report.output);
+  return lines.render();
+}
+
+std::string as_json(const MatchReport& report) {
+  Json regions = Json::array();
+  for (const RegionReport& region : report.regions) regions.push_back(region_json(region));
+  Json settings = Json::object();
+  for (const auto& [name, value] : report.settings) settings[name] = value;
+  return json_text({{"source", side_json(report.source)},
+                    {"target", side_json(report.target)},
+                    {"matched_faces", report.matched_faces()},
+                    {"matched_vertices", report.matched_vertices},
+                    {"regions", regions},
+                    {"anchor", seed_json(report.seed)},
+                    {"settings", settings},
+                    {"milliseconds",
+                     {{"reading", rounded(report.times.reading)},
+                      {"matching", rounded(report.times.matching)},
+                      {"verifying", rounded(report.times.verifying)},
+                      {"writing", rounded(report.times.writing)}}},
+                    {"output", report.output.empty() ? Json(nullptr) : Json(report.output)}});
+}
+
+}  // namespace quadmatch::cli
