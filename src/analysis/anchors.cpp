@@ -41,7 +41,7 @@ struct Side {
   const ArcGraph& skeleton;
   const PerFan<VertexCode>& codes;
   std::vector<std::uint64_t> reach = traced_lengths(skeleton);  ///< of each node
-  std::vector<Colour> colours = initial_colours(skeleton, codes);
+  std::vector<Colour> colours = {};
   std::vector<std::uint32_t> by_colour = {};  ///< nodes, sorted by colour, then number
 
   void sort_by_colour() {
@@ -50,8 +50,8 @@ struct Side {
     std::sort(by_colour.begin(), by_colour.end(),
               [this](std::uint32_t a, std::uint32_t b) { return std::tie(colours[a], a) < std::tie(colours[b], b); });
   }
-  void refine(const ColouringOptions& options) {
-    colours = refine_colours(skeleton, codes, colours, options);
+  void refine(std::uint32_t round, const ColouringOptions& options) {
+    colours = round == 0 ? initial_colours(skeleton, codes) : refine_colours(skeleton, codes, colours, options);
     sort_by_colour();
   }
   [[nodiscard]] std::uint64_t largest_reach() const { return *std::max_element(reach.begin(), reach.end()); }
@@ -90,6 +90,7 @@ std::vector<CommonColour> common_colours(const Side& source, const Side& target)
 /// Two nodes of one colour laid on each other: spoke `source_spoke` of the one on `target_spoke` of the other.
 struct Alignment {
   Colour colour = 0;
+  std::uint32_t round = 0;
   std::uint32_t source_node = 0, target_node = 0;
   std::uint32_t source_spoke = 0, target_spoke = 0;
   std::uint32_t agreeing = 0, disagreeing = 0;  ///< neighbours whose colours do or do not agree
@@ -97,7 +98,7 @@ struct Alignment {
 
   /// Better first; only the last resort depends on the numbering.
   [[nodiscard]] auto rank() const {
-    return std::tuple(disagreeing, ~reach, ~agreeing, colour, source_node, target_node, target_spoke);
+    return std::tuple(disagreeing, ~round, ~reach, ~agreeing, colour, source_node, target_node, target_spoke);
   }
 };
 
@@ -125,12 +126,13 @@ void compare_neighbours(const Side& source, const Side& target, Alignment& align
 
 /// The ways to lay one node on another of its colour: the beginnings of their least strings.
 void align(const Side& source, const Side& target, Colour colour, std::uint32_t source_node, std::uint32_t target_node,
-           const ColouringOptions& options, std::vector<Alignment>& alignments) {
+           const ColouringOptions& options, std::uint32_t round, std::vector<Alignment>& alignments) {
   if (spoke_count(source, source_node) != spoke_count(target, target_node)) return;  // unequal at the last round only
   const auto source_starts = least_rotations(source.skeleton, source.codes, source.colours, source_node, options);
   const auto target_starts = least_rotations(target.skeleton, target.codes, target.colours, target_node, options);
   for (const std::uint32_t target_start : target_starts) {
     Alignment alignment{.colour = colour,
+                        .round = round,
                         .source_node = source_node,
                         .target_node = target_node,
                         .source_spoke = source_starts.front(),
@@ -166,21 +168,20 @@ bool has_unique_pair(const Side& source, const Side& target, std::span<const Com
   });
 }
 
-/// All alignments of the rarest colours; a bounded number of pairs where even the rarest is common.
-std::vector<Alignment> align_rarest(const Side& source, const Side& target, std::span<const CommonColour> common,
-                                    const ColouringOptions& options, std::uint64_t rarest) {
+/// Add all alignments of the rarest colours; of a bounded number of pairs where even the rarest is common.
+void align_rarest(const Side& source, const Side& target, std::span<const CommonColour> common,
+                  const ColouringOptions& options, std::uint32_t round, std::uint64_t rarest,
+                  std::vector<Alignment>& alignments) {
   constexpr std::size_t kMostAlignments = 4096;
-  std::vector<Alignment> alignments;
   for (const CommonColour& colour : common) {
     if (colour.pairs() != rarest) continue;
     for (const std::uint32_t left : colour.source) {
       for (const std::uint32_t right : colour.target) {
-        align(source, target, colour.colour, left, right, options, alignments);
-        if (alignments.size() >= kMostAlignments) return alignments;
+        if (alignments.size() >= kMostAlignments) return;
+        align(source, target, colour.colour, left, right, options, round, alignments);
       }
     }
   }
-  return alignments;
 }
 
 /// A half-edge of the largest component: on its boundary if it has one, so that boundaries come to lie on each other.
@@ -226,29 +227,31 @@ AnchorSearch find_anchors(const Mesh& source_mesh, const ArcGraph& source_skelet
   AnchorSearch search;
   std::vector<Alignment> best;
   std::uint64_t best_pairs = ~std::uint64_t{0};
-  for (std::uint32_t round = 1; round <= std::max(options.rounds, 1U); ++round) {
-    source.refine(options.colouring);
-    target.refine(options.colouring);
+  for (std::uint32_t round = 0; round <= std::max(options.rounds, 1U); ++round) {
+    source.refine(round, options.colouring);
+    target.refine(round, options.colouring);
     const std::vector<CommonColour> common = common_colours(source, target);
     if (common.empty()) break;  // colours only ever split: there will be none later either
     const auto rarest = std::min_element(common.begin(), common.end(),
                                          [](const auto& a, const auto& b) { return a.pairs() < b.pairs(); });
-    const bool found = has_unique_pair(source, target, common);
-    if (rarest->pairs() <= best_pairs || found) {
+    if (rarest->pairs() <= best_pairs) {
+      // Unique pairs of earlier rounds stay: an edit can have changed what a later round sees around them.
+      if (rarest->pairs() > 1 || best_pairs > 1) best.clear();
       best_pairs = rarest->pairs();
-      best = align_rarest(source, target, common, options.colouring, best_pairs);
+      align_rarest(source, target, common, options.colouring, round, best_pairs, best);
       search.rounds = round;
       search.source_rarity = static_cast<std::uint32_t>(rarest->source.size());
       search.target_rarity = static_cast<std::uint32_t>(rarest->target.size());
     }
-    if (found) break;
+    if (round > 0 && has_unique_pair(source, target, common)) break;
   }
 
   std::sort(best.begin(), best.end(), [](const Alignment& a, const Alignment& b) { return a.rank() < b.rank(); });
   for (const Alignment& alignment : best) {
-    const Anchor anchor = seed_of(source, target, alignment);
-    if (anchor.source.valid()) search.anchors.push_back(anchor);
     if (search.anchors.size() == options.count) break;
+    const Anchor anchor = seed_of(source, target, alignment);
+    const bool is_new = std::find(search.anchors.begin(), search.anchors.end(), anchor) == search.anchors.end();
+    if (anchor.source.valid() && is_new) search.anchors.push_back(anchor);
   }
   if (search.anchors.empty()) return arbitrary_pair(source_mesh, target_mesh);
   return search;

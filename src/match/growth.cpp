@@ -107,6 +107,30 @@ void Growth::accept(Candidate candidate) {
   }
 }
 
+void Growth::clear() {
+  for (const Candidate& pair : order_) {
+    const FaceId q = source_.face(pair.source);
+    const FaceId r = target_.face(pair.target);
+    matched_[q.value] = false;
+    taken_[r.value] = false;
+    image_of_first_[q] = HalfedgeId();
+    for (const HalfedgeId h : source_.halfedges(q)) source_vertices_[source_.origin(h)].partner = VertexId();
+    for (const HalfedgeId h : target_.halfedges(r)) target_vertices_[target_.origin(h)].partner = VertexId();
+  }
+  order_.clear();
+  waves_.clear();
+}
+
+std::size_t Growth::extraordinary_corners() const {
+  std::size_t corners = 0;
+  for (const Candidate& pair : order_) {
+    for (const HalfedgeId h : source_.halfedges(source_.face(pair.source))) {
+      corners += source_vertices_[source_.origin(h)].code.extraordinary();
+    }
+  }
+  return corners;
+}
+
 Region Growth::region(Orientation orientation, bool with_waves) const {
   Region region;
   region.orientation = orientation;

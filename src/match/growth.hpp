@@ -36,6 +36,8 @@ class Growth {
   /// May this pair join the region? Both faces are free, have equal corner counts, agree with the vertex map at every
   /// corner, and are adjacent to matched faces across corresponding edges only.
   [[nodiscard]] bool fits(Candidate candidate) const;
+  /// Corners of the matched faces that are extraordinary in the source.
+  [[nodiscard]] std::size_t extraordinary_corners() const;
   /// Corners beyond the edge of the candidate whose codes, the colours of round 0, differ.
   [[nodiscard]] std::uint32_t disagreeing_corners(Candidate candidate) const;
 
@@ -49,6 +51,8 @@ class Growth {
 
   /// Extend mu. @pre fits(candidate), and an edge joins it to the region unless it is the seed.
   void accept(Candidate candidate);
+  /// Take every pair out again, at the cost of putting them in.
+  void clear();
   /// The faces matched since the last call form a wave.
   void end_wave() { waves_.push_back(static_cast<std::uint32_t>(order_.size())); }
 
@@ -88,6 +92,11 @@ bool grow_greedily(Growth& growth, const GrowthProgress& progress);
 
 /// §4.5: accept the largest component of the compatibility graph, again and again. False if cancelled.
 bool grow_lazily(Growth& growth, const GrowthProgress& progress);
+
+/// §4.1, "then look for matching neighbours": the anchor from which a fire spreads farthest before it meets a corner
+/// that disagrees; among nearly equal ones the first. Not valid if none can be laid.
+/// @param growth  empty, and empty again afterwards.
+[[nodiscard]] Anchor choose_seed(Growth& growth, const std::vector<Anchor>& anchors);
 
 /// Count what speaks for a vertex map: extraordinary vertices touched on either side, and those that agree.
 [[nodiscard]] Evidence weigh(const std::vector<VertexPair>& vertices, const PerFan<VertexCode>& source_codes,

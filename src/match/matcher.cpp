@@ -33,17 +33,20 @@ AnchorSearch anchors_for(const Analysis& source, const Analysis& target, const M
                       target.codes, options.anchor_search);
 }
 
+Anchor first_that_fits(const Growth& growth, const std::vector<UserAnchor>& anchors) {
+  const auto fits = [&](const UserAnchor& anchor) { return growth.fits(anchor); };
+  const auto first = std::find_if(anchors.begin(), anchors.end(), fits);
+  return first == anchors.end() ? Anchor() : *first;
+}
+
 /// Match with the target as it is laid: the rotation systems agree.
 MatchResult match_laid(const Analysis& source, const Analysis& target, const MatchOptions& options,
                        Orientation orientation) {
   MatchResult result;
   result.search = anchors_for(source, target, options);
   Growth growth(source.mesh, source.codes, target.mesh, target.codes);
-  for (const Anchor& anchor : result.search.anchors) {
-    if (!growth.fits(anchor)) continue;
-    result.seed = anchor;
-    break;
-  }
+  result.seed =
+      options.anchors.empty() ? choose_seed(growth, result.search.anchors) : first_that_fits(growth, options.anchors);
   if (!result.seed.source.valid()) return result;
 
   growth.accept(result.seed);

@@ -42,6 +42,8 @@ struct AnchorSearch {
 /// larger components of the skeleton (by edges traced), then the smaller colour: none of which depends on the
 /// numbering.
 ///
+/// @par Reading  A pair that is unique by its codes alone (round 0) is kept as well: an edit can change what later
+///               rounds see around it.
 /// @par Reading  Where the neighbourhood is rotationally symmetric several alignments are equally good; all are
 ///               returned, in order.
 /// @par Cost     O(rounds * #spokes log #spokes); O(F) where a mesh has no extraordinary vertex.
