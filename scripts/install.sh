@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Installs what is missing of Debian 12's packages: install.sh SET...  Sets: core tests quality browser docs bench.
+# Asks nothing, changes nothing where all is there already.
+set -euo pipefail
+
+declare -A sets=(
+  [core]="g++ cmake ninja-build libcli11-dev libfmt-dev nlohmann-json3-dev libxxhash-dev"
+  [tests]="doctest-dev libtinyobjloader-dev git python3"
+  [bench]="libbenchmark-dev libtinyobjloader-dev python3"
+  [quality]="clang-14 clang-format-14 clang-tidy-16 libclang-rt-14-dev"
+  [browser]="clang-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc"
+  [docs]="mkdocs-material"
+)
+
+missing=()
+for set in "$@"; do
+  for package in ${sets[$set]:?no such set: $set}; do
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+  done
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+echo "installing ${missing[*]}"
+as_root=()
+[ "$(id -u)" = 0 ] || as_root=(sudo)
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+export DEBIAN_FRONTEND=noninteractive
+if ! { "${as_root[@]}" apt-get -o DPkg::Lock::Timeout=600 update &&
+       "${as_root[@]}" apt-get -o DPkg::Lock::Timeout=600 install --no-install-recommends -y "${missing[@]}"; } \
+    > "$log" 2>&1; then
+  cat "$log" >&2
+  echo "install.sh: apt-get could not install: ${missing[*]}" >&2
+  exit 1
+fi

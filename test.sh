@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# On a fresh Debian 12: installs what is missing and runs all tests. usage: ./test.sh [--core]
+#   --core  only what needs small packages: no fuzzing, linting, WebAssembly or documentation
+set -euo pipefail
+cd "$(dirname "$0")"
+
+core=no
+case "${1:-}" in
+  "") ;;
+  --core) core=yes ;;
+  *) sed -n '2,3s/^# //p' "$0" >&2; exit 2 ;;
+esac
+
+stage() { printf '\n== %s (%ds)\n' "$1" "$SECONDS"; }
+build() { cmake --preset "$1" > build/"$1".log || { cat build/"$1".log; exit 1; }; cmake --build --preset "$1"; }
+
+mkdir -p build
+stage "install what is missing"
+scripts/install.sh core tests bench
+[ $core = yes ] || scripts/install.sh quality browser docs
+
+if [ $core = no ]; then
+  stage "format, layers, wording"
+  scripts/check_style.sh
+fi
+
+stage "the layers below the front ends, without exceptions"
+build no-exceptions
+if [ $core = no ]; then
+  stage "the same as WebAssembly: without threads either"
+  scripts/build_wasm.sh
+fi
+
+stage "release build"
+cmake --preset release -DQUADMATCH_DEVELOPER=ON > /dev/null
+cmake --build --preset release
+stage "sanitized build"
+build sanitize
+
+if [ $core = no ]; then
+  stage "lint"
+  scripts/lint.sh
+  stage "fuzz the readers, briefly"
+  scripts/fuzz.sh 20
+  stage "documentation"
+  mkdocs build --strict --quiet --site-dir build/site
+fi
+
+stage "tests, sanitized"
+ctest --preset sanitize -j 2 --timeout 1200
+stage "tests"
+ctest --preset release -j 2 --timeout 600
