@@ -54,7 +54,7 @@ std::string as_text(const VerifyReport& report) {
   lines.add("matched", fmt::format("{}: {} of the source, {} of the target", counted(verdict.matched_faces, "face"),
                                    percent(verdict.matched_faces, file.source.faces),
                                    percent(verdict.matched_faces, file.target.faces)));
-  lines.add("vertices", fmt::format("{} with a partner", grouped(file.match.vertices.size())));
+  lines.add("vertices", fmt::format("{} with a partner", grouped(verdict.matched_vertices)));
   lines.add("regions", fmt::format("{}, the largest of {}", grouped(file.match.regions.size()),
                                    counted(verdict.largest_region, "face")));
   return text + lines.render(2);
@@ -73,7 +73,7 @@ std::string as_json(const VerifyReport& report) {
                     {"target_faces", file.target.faces},
                     {"source_coverage", report.coverage(file.source)},
                     {"target_coverage", report.coverage(file.target)},
-                    {"matched_vertices", file.match.vertices.size()},
+                    {"matched_vertices", verdict.matched_vertices},
                     {"messages", messages}});
 }
 

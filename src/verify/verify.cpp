@@ -245,7 +245,10 @@ void Judge::judge_listed(std::span<const VertexPair> vertices) {
       fault(FaultKind::NoSuchElement, "vertices: {} -> {}: there is no such vertex", vertex.value, other.value);
       continue;
     }
-    if (!listed_image_[vertex].valid()) listed_image_[vertex] = other;
+    if (!listed_image_[vertex].valid()) {
+      listed_image_[vertex] = other;
+      ++verdict_.matched_vertices;
+    }
     if (!listed_origin_[other].valid()) listed_origin_[other] = vertex;
     if (listed_image_[vertex] != other || listed_origin_[other] != vertex) {
       fault(FaultKind::BadVertexList, "vertices: {} -> {} breaks one-to-one", vertex.value, other.value);

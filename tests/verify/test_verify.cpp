@@ -49,6 +49,7 @@ TEST_CASE("the true match of a mesh and a renumbered copy is sound") {
     CHECK(verdict.faults.empty());
     CHECK(verdict.matched_faces == instance.source.face_count());
     CHECK(verdict.largest_region == instance.source.face_count());
+    CHECK(verdict.matched_vertices == instance.source.vertex_count());
   }
 }
 
@@ -239,6 +240,7 @@ TEST_CASE("sentence 6: a list of vertices that is not one-to-one is a fault") {
   Match match = identity(mesh, {0});
   match.vertices.push_back(match.vertices[0]);
   CHECK(verify(mesh, mesh, match).sound());  // said twice, but not otherwise
+  CHECK(verify(mesh, mesh, match).matched_vertices == 4);
   match.vertices.back().target = match.vertices[1].target;
   CHECK(has_only(verify(mesh, mesh, match), FaultKind::BadVertexList));
 }

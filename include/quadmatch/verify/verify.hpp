@@ -35,6 +35,8 @@ struct Verdict {
   std::vector<Fault> faults;
   std::size_t matched_faces = 0;
   std::size_t largest_region = 0;
+  /// Source vertices in `vertices`, each counted once.
+  std::size_t matched_vertices = 0;
 
   [[nodiscard]] bool sound() const { return fault_count == 0; }
 };
