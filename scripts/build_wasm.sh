@@ -10,10 +10,10 @@ for library in fmt nlohmann xxhash.h xxh3.h; do
 done
 compile() {
   object=$1/$(echo "$2" | tr / _).o
-  clang++-19 --target=wasm32-wasip1 -std=c++20 -O2 -fno-exceptions -fno-rtti -Wall -Wextra -Werror \
+  clang++-19 --target=wasm32-wasi -std=c++20 -O2 -fno-exceptions -fno-rtti -Wall -Wextra -Werror \
     -DFMT_HEADER_ONLY -DFMT_EXCEPTIONS=0 -DJSON_NOEXCEPTION -isystem $1/include -Iinclude -I"$(dirname "$2")" -c "$2" -o "$object"
 }
 export -f compile
 git ls-files 'src/*.cpp' | xargs -P "$(nproc)" -I{} bash -c 'compile "$0" {}' $out
-clang++-19 --target=wasm32-wasip1 -mexec-model=reactor -Wl,--export-all -Wl,--no-entry $out/*.o -o $out/quadmatch.wasm
+clang++-19 --target=wasm32-wasi -mexec-model=reactor -Wl,--export-all -Wl,--no-entry $out/*.o -o $out/quadmatch.wasm
 echo "$out/quadmatch.wasm: $(stat -c %s $out/quadmatch.wasm) bytes"

@@ -119,7 +119,8 @@ TEST_CASE("§4.1: a regular torus or tube has no extraordinary vertex, and so no
   }
 }
 
-TEST_CASE("a crossing is a node of the skeleton and not of the separatrix graph; so is where the boundary stops a particle") {
+TEST_CASE(
+    "a crossing is a node of the skeleton and not of the separatrix graph; so is where the boundary stops a particle") {
   // Six petals of 3 by 3: vertex 0 has valence 6, and its particles run into the boundary.
   const Mesh star = test::build(shapes::star(6, 3));
   const Tracing tracing = trace(star);
