@@ -20,7 +20,7 @@ scripts/install.sh core tests bench
 [ $core = yes ] || scripts/install.sh quality browser docs
 
 if [ $core = no ]; then
-  stage "format, layers, wording"
+  stage "format and habits"
   scripts/check_style.sh
 fi
 

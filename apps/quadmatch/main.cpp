@@ -16,7 +16,7 @@ namespace quadmatch::cli {
 namespace {
 
 constexpr const char* kFooter = R"(Examples:
-  quadmatch match bear.obj bear_without_ears.obj -o bears.json
+  quadmatch match bear.obj bear_no_ears_posed.obj -o bears.json
   quadmatch check model.obj
   quadmatch match --help
 

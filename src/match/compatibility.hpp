@@ -20,7 +20,11 @@ namespace quadmatch {
 /// are paths and cycles, here called *runs*.
 ///
 /// Runs are doubly linked lists with their sizes. Joining two relabels the smaller, cutting one walks from the cut to
-/// the nearer end, so that all updates together take O(n log n) in the worst case and close to linear time in practice.
+/// the nearer end, which keeps all updates together close to linear time in practice. (n joins alone or n cuts alone
+/// take O(n log n); cutting and joining in turn in the middle of one run could take more, which growth does not do.)
+///
+/// Reading: the candidates across vertices come in with the links between those across edges. One that touches S' at a
+/// vertex where the wavefront ends at the boundary becomes a candidate across an edge a wave later.
 class CompatibilityGraph {
  public:
   explicit CompatibilityGraph(const Growth& growth);

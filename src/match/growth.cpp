@@ -49,6 +49,7 @@ bool Growth::corners_agree(Candidate candidate, std::uint32_t size) const {
   return true;
 }
 
+/// Differs: §3 maps faces only; here corresponding edges must carry the adjacency, so that vertex data can follow.
 /// §3: "q1 and q2 are adjacent in S1 if and only if mu(q1) and mu(q2) are adjacent", across corresponding edges. On a
 /// simple mesh the vertex map implies it; where two edges join the same vertices, or a seam lies between, it does not.
 bool Growth::neighbours_agree(Candidate candidate, std::uint32_t size) const {

@@ -19,7 +19,7 @@ struct Anchor {
 };
 
 struct AnchorOptions {
-  /// Rounds of refinement at most, the paper's k.
+  /// Rounds of refinement at most, the paper's k; at least one is made.
   std::uint32_t rounds = 10;
   ColouringOptions colouring = {};
   /// How many anchors to return at most.
@@ -38,10 +38,11 @@ struct AnchorSearch {
 /// Find anchors as §4.1 does: colour both skeleton graphs round by round until a colour is unique in both meshes or
 /// `rounds` are made, take the rarest colour, then look for matching neighbours.
 ///
-/// Among equally rare colours those stand first whose neighbours' colours disagree in fewer places, then those in
-/// larger components of the skeleton (by edges traced), then the smaller colour: none of which depends on the
-/// numbering.
+/// Among equally rare colours those stand first whose neighbours' colours disagree in fewer places, then those of later
+/// rounds, in larger components of the skeleton (by edges traced), with more neighbours that agree, and the smaller
+/// colour: none of which depends on the numbering. Only nodes alike in all of this stand in order of their numbers.
 ///
+/// @pre          the graphs are skeletons (Tracing::skeleton), in which every arc ends at a node.
 /// @par Reading  A pair that is unique by its codes alone (round 0) is kept as well: an edit can change what later
 ///               rounds see around it.
 /// @par Reading  Where the neighbourhood is rotationally symmetric several alignments are equally good; all are

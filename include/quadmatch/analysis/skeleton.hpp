@@ -23,8 +23,9 @@ struct Dart {
 struct Spoke {
   static constexpr std::uint32_t kNone = 0xffffffff;
 
-  Dart start;                      ///< first edge of the arc, leaving the node
-  std::uint32_t to_node = kNone;   ///< node at the other end; kNone where the particle ran into the boundary
+  Dart start;  ///< first edge of the arc, leaving the node
+  /// Node at the other end; kNone where the particle ran into the boundary, which is in the separatrix graph only.
+  std::uint32_t to_node = kNone;
   std::uint32_t to_spoke = kNone;  ///< the spoke there that leads back
   std::uint32_t length = 0;        ///< edges, at least 1
 };

@@ -53,7 +53,7 @@ struct MatchResult {
 /// @return      a sound match (see verify), of at most one region for the paper's algorithms; the same for the same
 ///              input on every run. `match.complete` is false after a cancel.
 /// @pre         user anchors name half-edges of the meshes, of faces with equal corner counts (see check_anchor).
-/// @par Cost    near linear in F: O(F log F) in the worst case for lazy-greedy.
+/// @par Cost    near linear in F in practice (docs/results.md); greedy is linear.
 [[nodiscard]] MatchResult match(const Mesh& source, const Mesh& target, const MatchOptions& options = {});
 
 /// Does a user's anchor name half-edges that exist, of faces that can lie on each other?

@@ -37,7 +37,8 @@ struct VertexPair {
   bool operator==(const VertexPair&) const = default;
 };
 
-/// What speaks for a region: extraordinary vertices it touches, and those that meet one of equal valence.
+/// What speaks for a region: extraordinary vertices it touches, and those that meet one of the same code
+/// (valence, boundary, non-quads).
 struct Evidence {
   std::uint32_t agreeing = 0;
   std::uint32_t source_extraordinary = 0;
