@@ -20,7 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 RAW = ROOT / "docs" / "results"
 PROGRAM = ROOT / "build" / "release" / "quadmatch"
 BENCH = ROOT / "build" / "release" / "bench" / "quadmatch_bench"
-REPETITIONS = 5
+REPETITIONS = 3
 
 # Table 5.1 of the paper: vertices and edges of the mesh, then of its skeleton graph, then the reduction.
 PAPER_TABLE_5_1 = [("bear", 1070, 2110, 202, 393, 81), ("chick", 932, 1827, 32, 56, 97), ("shirt", 3099, 6134, 518, 1015, 83),
