@@ -15,19 +15,19 @@ using Faces = std::vector<Face>;
 
 /// In the order of the file. The bases of the ears are part of the head, or the tips of the ears.
 enum Part : Cage::Part {
-  kBody,
-  kPatch,
-  kTail,
-  kLeftArm,
-  kRightArm,
-  kLeftLeg,
-  kRightLeg,
-  kHead,
-  kEyes,
-  kSnout,
-  kNose,
-  kEarBases,
-  kEars,
+  Body,
+  Patch,
+  Tail,
+  LeftArm,
+  RightArm,
+  LeftLeg,
+  RightLeg,
+  Head,
+  Eyes,
+  Snout,
+  Nose,
+  EarBases,
+  Ears,
 };
 
 constexpr unsigned kSteps = 2;
@@ -45,7 +45,8 @@ constexpr std::array<Section, 7> kSections = {{{0.44, 0.60, 0.44, -0.44},
                                                {1.58, 0.74, 0.54, -0.50},
                                                {1.96, 0.94, 0.68, -0.66},
                                                {2.42, 0.68, 0.42, -0.46}}};
-enum Row { kBelly, kChest, kNeck, kJaw, kCheeks, kBrow, kRows };
+constexpr std::uint32_t kRows = kSections.size() - 1;
+enum Row : std::uint32_t { Belly, Chest, Neck, Jaw, Cheeks, Brow };
 
 /// Body and head stand in one box, 3 quads wide and 2 deep, before anything is extruded from it.
 class BearCage {
@@ -60,8 +61,8 @@ class BearCage {
     }
     pull_snout();
     for (const double side : {1.0, -1.0}) sink_eye(side);
-    cage_.set_part(ear_base(1), kEarBases);
-    cage_.set_part(ear_base(-1), kEarBases);
+    cage_.set_part(ear_base(1), EarBases);
+    cage_.set_part(ear_base(-1), EarBases);
   }
 
   void pull_ears() {
@@ -117,8 +118,7 @@ void BearCage::add_trunk() {
     const auto &low = loops[row], &high = loops[row + 1];
     for (std::uint32_t i = 0; i < kAround; ++i) {
       const std::uint32_t j = (i + 1) % kAround;
-      walls_.push_back(
-          cage_.add_face(row < kJaw ? kBody : kHead, wall_chart, i, row, {low[i], low[j], high[j], high[i]}));
+      walls_.push_back(cage_.add_face(row < Jaw ? Body : Head, wall_chart, i, row, {low[i], low[j], high[j], high[i]}));
     }
   }
   for (const bool is_top : {false, true}) {
@@ -135,9 +135,9 @@ void BearCage::add_trunk() {
       for (std::uint32_t c = 0; c < 3; ++c) {
         const auto &front = at[row], &back = at[row + 1];
         if (is_top) {
-          top_.push_back(cage_.add_face(kHead, chart, c, row, {front[c], front[c + 1], back[c + 1], back[c]}));
+          top_.push_back(cage_.add_face(Head, chart, c, row, {front[c], front[c + 1], back[c + 1], back[c]}));
         } else {
-          bottom_.push_back(cage_.add_face(kBody, chart, c, row, {back[c], back[c + 1], front[c + 1], front[c]}));
+          bottom_.push_back(cage_.add_face(Body, chart, c, row, {back[c], back[c + 1], front[c + 1], front[c]}));
         }
       }
     }
@@ -146,23 +146,23 @@ void BearCage::add_trunk() {
 
 /// On the left of the belly only, so that the bear is not quite its own mirror image.
 void BearCage::sew_patch() {
-  const Faces at = {wall(kBelly, 2)};
+  const Faces at = {wall(Belly, 2)};
   const Point centre = cage_.centre(at);
-  cage_.extrude(at, kPatch, cage_.add_chart(), scale_and_move(centre, {0.62, 0.62, 0.62}, {0.01, 0.0, 0.05}));
-  cage_.set_part(at[0], kPatch);
+  cage_.extrude(at, Patch, cage_.add_chart(), scale_and_move(centre, {0.62, 0.62, 0.62}, {0.01, 0.0, 0.05}));
+  cage_.set_part(at[0], Patch);
 }
 
 void BearCage::pull_tail() {
-  const Faces at = {wall(kBelly, 6)};
+  const Faces at = {wall(Belly, 6)};
   const Point centre = cage_.centre(at);
-  cage_.extrude(at, kTail, cage_.add_chart(), scale_and_move(centre, {0.5, 0.7, 1.0}, {0, -0.02, -0.24}));
-  cage_.set_part(at[0], kTail);
+  cage_.extrude(at, Tail, cage_.add_chart(), scale_and_move(centre, {0.5, 0.7, 1.0}, {0, -0.02, -0.24}));
+  cage_.set_part(at[0], Tail);
 }
 
 /// Two faces at the shoulder; three rings down to the paw.
 void BearCage::pull_arm(double side) {
-  const Part part = side > 0 ? kLeftArm : kRightArm;
-  const Faces at = side > 0 ? Faces{wall(kChest, 3), wall(kChest, 4)} : Faces{wall(kChest, 8), wall(kChest, 9)};
+  const Part part = side > 0 ? LeftArm : RightArm;
+  const Faces at = side > 0 ? Faces{wall(Chest, 3), wall(Chest, 4)} : Faces{wall(Chest, 8), wall(Chest, 9)};
   const Cage::Chart chart = cage_.add_chart();
   const auto pull = [&](const Point& factors, const Point& by, double droop) {
     const Point centre = cage_.centre(at);
@@ -178,7 +178,7 @@ void BearCage::pull_arm(double side) {
 
 /// Two faces under the hip; down to the ankle, and the foot forwards.
 void BearCage::pull_leg(double side) {
-  const Part part = side > 0 ? kLeftLeg : kRightLeg;
+  const Part part = side > 0 ? LeftLeg : RightLeg;
   const std::uint32_t column = side > 0 ? 2 : 0;
   const Faces sole = {bottom_[column], bottom_[3 + column]};
   const Cage::Chart chart = cage_.add_chart();
@@ -192,27 +192,27 @@ void BearCage::pull_leg(double side) {
 }
 
 void BearCage::pull_snout() {
-  const Faces at = {wall(kCheeks, 1)};
+  const Faces at = {wall(Cheeks, 1)};
   const Cage::Chart chart = cage_.add_chart();
-  cage_.extrude(at, kSnout, chart, scale_and_move(cage_.centre(at), {0.9, 0.75, 1.0}, {0, -0.07, 0.06}));
-  cage_.extrude(at, kSnout, chart, scale_and_move(cage_.centre(at), {0.85, 0.85, 0.2}, {0, 0.0, 0.24}));
-  cage_.extrude(at, kNose, chart, scale_and_move(cage_.centre(at), {0.55, 0.42, 1.0}, {0, 0.07, 0.03}));
-  cage_.set_part(at[0], kNose);
+  cage_.extrude(at, Snout, chart, scale_and_move(cage_.centre(at), {0.9, 0.75, 1.0}, {0, -0.07, 0.06}));
+  cage_.extrude(at, Snout, chart, scale_and_move(cage_.centre(at), {0.85, 0.85, 0.2}, {0, 0.0, 0.24}));
+  cage_.extrude(at, Nose, chart, scale_and_move(cage_.centre(at), {0.55, 0.42, 1.0}, {0, 0.07, 0.03}));
+  cage_.set_part(at[0], Nose);
 }
 
 void BearCage::sink_eye(double side) {
-  const Faces at = {wall(kBrow, side > 0 ? 2 : 0)};
+  const Faces at = {wall(Brow, side > 0 ? 2 : 0)};
   const Cage::Chart chart = cage_.add_chart();
   const Point centre = cage_.centre(at);
-  cage_.extrude(at, kHead, chart, scale_and_move(centre, {0.46, 0.42, 0.46}, {-side * 0.13, -0.05, 0.14}));
-  cage_.set_part(at[0], kEyes);
+  cage_.extrude(at, Head, chart, scale_and_move(centre, {0.46, 0.42, 0.46}, {-side * 0.13, -0.05, 0.14}));
+  cage_.set_part(at[0], Eyes);
 }
 
 void BearCage::pull_ear(double side) {
   const Faces at = {ear_base(side)};
   const Cage::Chart chart = cage_.add_chart();
-  cage_.extrude(at, kEars, chart, scale_and_move(cage_.centre(at), {1.4, 1.0, 0.55}, {side * 0.17, 0.02, -0.06}));
-  cage_.extrude(at, kEars, chart, scale_and_move(cage_.centre(at), {1.2, 1.2, 0.9}, {side * 0.10, 0.33, 0.0}));
+  cage_.extrude(at, Ears, chart, scale_and_move(cage_.centre(at), {1.4, 1.0, 0.55}, {side * 0.17, 0.02, -0.06}));
+  cage_.extrude(at, Ears, chart, scale_and_move(cage_.centre(at), {1.2, 1.2, 0.9}, {side * 0.10, 0.33, 0.0}));
 }
 
 void BearCage::pose(const BearPose& pose) {
@@ -220,11 +220,11 @@ void BearCage::pose(const BearPose& pose) {
                            double turns) {
     cage_.move_parts(std::vector(parts), [&](const Point& p) { return turned(p, about, axis, turns); });
   };
-  turn({kLeftArm}, {0.46, 1.10, 0}, {0, 0, 1}, pose.left_arm);
-  turn({kRightArm}, {-0.46, 1.10, 0}, {0, 0, 1}, -pose.right_arm);
-  turn({kLeftLeg}, {0.28, 0.50, 0}, {1, 0, 0}, -pose.left_leg);
-  turn({kRightLeg}, {-0.28, 0.50, 0}, {1, 0, 0}, -pose.right_leg);
-  const std::initializer_list<Cage::Part> head = {kHead, kEyes, kSnout, kNose, kEarBases, kEars};
+  turn({LeftArm}, {0.46, 1.10, 0}, {0, 0, 1}, pose.left_arm);
+  turn({RightArm}, {-0.46, 1.10, 0}, {0, 0, 1}, -pose.right_arm);
+  turn({LeftLeg}, {0.28, 0.50, 0}, {1, 0, 0}, -pose.left_leg);
+  turn({RightLeg}, {-0.28, 0.50, 0}, {1, 0, 0}, -pose.right_leg);
+  const std::initializer_list<Cage::Part> head = {Head, Eyes, Snout, Nose, EarBases, Ears};
   turn(head, {0, 1.45, 0}, {0, 1, 0}, pose.head_turn);
   turn(head, {0, 1.45, 0}, {0, 0, 1}, -pose.head_tilt);
   cage_.move_all([&](const Point& p) {

@@ -122,7 +122,8 @@ std::vector<TextureCoordinate> Cage::place_charts() const {
 Model Cage::finish(const std::vector<PartName>& names, unsigned steps, double unit) const {
   std::vector<Face> order(faces_.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](Face a, Face b) { return faces_[a].part < faces_[b].part; });
+  const auto place = [&](Face f) { return std::pair(faces_[f].part, f); };
+  std::sort(order.begin(), order.end(), [&](Face a, Face b) { return place(a) < place(b); });
 
   const std::vector<TextureCoordinate> lower_left = place_charts();
   Model model;

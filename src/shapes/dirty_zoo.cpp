@@ -75,14 +75,14 @@ PolygonSoup book() {
 
 PolygonSoup observation_2_2(std::uint32_t tubes) {
   assert(tubes >= 2);
-  enum : std::uint32_t { kNorthTop, kNorthBottom, kSouthTop, kSouthBottom };
+  enum : std::uint32_t { NorthTop, NorthBottom, SouthTop, SouthBottom };
   SoupBuilder builder;
   for (const double y : {1.0, -1.0}) {
     for (const double z : {0.1, -0.1}) builder.vertex(0, y, z);
   }
   for (std::uint32_t tube = 0; tube < tubes; ++tube) {
-    builder.face_of({kNorthTop, kSouthTop, kSouthBottom, kNorthBottom});
-    builder.face_of({kNorthTop, kNorthBottom, kSouthBottom, kSouthTop});
+    builder.face_of({NorthTop, SouthTop, SouthBottom, NorthBottom});
+    builder.face_of({NorthTop, NorthBottom, SouthBottom, SouthTop});
   }
   return builder.take();
 }

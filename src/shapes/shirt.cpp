@@ -14,16 +14,16 @@ using Loop = std::vector<Vertex>;
 
 /// In the order of the file: what only long sleeves have comes last.
 enum Part : Cage::Part {
-  kFront,
-  kBack,
-  kCollar,
-  kPocket,
-  kLeftSleeve,
-  kRightSleeve,
-  kLeftLowerSleeve,
-  kRightLowerSleeve,
-  kLeftCuff,
-  kRightCuff
+  Front,
+  Back,
+  Collar,
+  Pocket,
+  LeftSleeve,
+  RightSleeve,
+  LeftLowerSleeve,
+  RightLowerSleeve,
+  LeftCuff,
+  RightCuff
 };
 
 constexpr std::uint32_t kColumns = 10;  // across the front, and across the back
@@ -54,7 +54,7 @@ class ShirtCage {
   [[nodiscard]] const Cage& cage() const { return cage_; }
 
  private:
-  using Sheet = std::array<Vertex, (kColumns + 1) * (kRows + 1)>;
+  using Sheet = std::array<Vertex, std::size_t{kColumns + 1} * (kRows + 1)>;
 
   static Vertex& at(Sheet& sheet, std::uint32_t i, std::uint32_t j) { return sheet[j * (kColumns + 1) + i]; }
   static bool is_sewn(std::uint32_t i, std::uint32_t j) {
@@ -103,11 +103,11 @@ void ShirtCage::add_sheets() {
   for (std::uint32_t j = 0; j < kRows; ++j) {
     for (std::uint32_t i = 0; i < kColumns; ++i) {
       const std::uint32_t left = i + 1, up = j + 1;
-      cage_.add_face(kBack, back, kColumns - left, j,
+      cage_.add_face(Back, back, kColumns - left, j,
                      {at(back_, left, j), at(back_, i, j), at(back_, i, up), at(back_, left, up)});
       if (is_neckline(i, j)) continue;
       const Cage::Face face = cage_.add_face(
-          kFront, front, i, j, {at(front_, i, j), at(front_, left, j), at(front_, left, up), at(front_, i, up)});
+          Front, front, i, j, {at(front_, i, j), at(front_, left, j), at(front_, left, up), at(front_, i, up)});
       if ((i == 6 || i == 7) && (j == 8 || j == 9)) pocket_.push_back(face);
     }
   }
@@ -132,13 +132,13 @@ void ShirtCage::add_collar() {
     const Point point = cage_.position(v);
     outer.push_back(cage_.add_vertex({0.92 * point[0], point[1] + 0.07, 0.92 * point[2]}));
   }
-  add_ring(kCollar, cage_.add_chart(), 0, rim, outer);
+  add_ring(Collar, cage_.add_chart(), 0, rim, outer);
 }
 
 void ShirtCage::sew_pocket() {
-  cage_.extrude(pocket_, kPocket, cage_.add_chart(),
+  cage_.extrude(pocket_, Pocket, cage_.add_chart(),
                 scale_and_move(cage_.centre(pocket_), {0.94, 0.94, 0.94}, {0, 0, 0.03}));
-  for (const Cage::Face face : pocket_) cage_.set_part(face, kPocket);
+  for (const Cage::Face face : pocket_) cage_.set_part(face, Pocket);
 }
 
 /// From the armpit up in front and down behind on the left, the other way round on the right.
@@ -158,11 +158,11 @@ void ShirtCage::add_sleeve(double side, Sleeves sleeves) {
   const Point along = {side * droop.cos, -droop.sin, 0}, up = {side * droop.sin, droop.cos, 0};
   const Cage::Chart chart = cage_.add_chart();
   Loop rim = armhole(side);
-  Cage::Part part = left ? kLeftSleeve : kRightSleeve;
+  Cage::Part part = left ? LeftSleeve : RightSleeve;
   for (std::uint32_t ring = 1; ring <= rings; ++ring) {
-    if (ring > kUpperRings) part = left ? kLeftLowerSleeve : kRightLowerSleeve;
-    if (ring > kUpperRings + kLowerRings) part = left ? kLeftCuff : kRightCuff;
-    const bool flares = part == kLeftCuff || part == kRightCuff;
+    if (ring > kUpperRings) part = left ? LeftLowerSleeve : RightLowerSleeve;
+    if (ring > kUpperRings + kLowerRings) part = left ? LeftCuff : RightCuff;
+    const bool flares = part == LeftCuff || part == RightCuff;
     const double radius = flares ? 0.115 : 0.155 - 0.006 * ring;
     const Point middle = Point{side * 0.47, 1.04, 0} + (0.075 * ring) * along;
     Loop outer;
