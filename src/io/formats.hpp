@@ -8,6 +8,7 @@
 #include <quadmatch/io/write_mesh.hpp>
 #include <quadmatch/mesh/expected.hpp>
 
+#include "line_chunks.hpp"
 #include "text_buffer.hpp"
 
 namespace quadmatch::io {
@@ -20,8 +21,8 @@ inline constexpr std::uint64_t kMostVertices = 0xfffffffe;
 /// Corners that half-edges can name.
 inline constexpr std::uint64_t kMostCorners = 0x7fffffff;
 
-/// Each reads bytes of its format; `name` stands in errors and is the path of the result.
-[[nodiscard]] Expected<MeshFile> read_obj(const FileBytes& bytes, const std::string& name);
+/// Each reads text or bytes of its format; `name` stands in errors and is the path of the result.
+[[nodiscard]] Expected<MeshFile> read_obj(LineChunks text, const std::string& name);
 [[nodiscard]] Expected<MeshFile> read_ply(const FileBytes& bytes, const std::string& name);
 [[nodiscard]] Expected<MeshFile> read_off(const FileBytes& bytes, const std::string& name);
 [[nodiscard]] Expected<MeshFile> read_usda(const FileBytes& bytes, const std::string& name);
@@ -30,6 +31,9 @@ inline constexpr std::uint64_t kMostCorners = 0x7fffffff;
 [[nodiscard]] std::string format_ply(const MeshFile& file, PlyEncoding encoding);
 [[nodiscard]] std::string format_off(const MeshFile& file);
 [[nodiscard]] std::string format_usda(const MeshFile& file);
+
+/// Empty: a file of no bytes.
+[[nodiscard]] Unexpected<Error> empty_file(const std::string& name);
 
 /// Build the mesh of a file whose faces have been checked, or say that it has none.
 [[nodiscard]] Expected<Mesh> build_mesh(PolygonSoup soup, const std::string& name);

@@ -2,7 +2,7 @@
 
 namespace quadmatch::io {
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t kMost = 40;
   std::string shown = "'";
   for (const char c : text.substr(0, kMost)) shown += c >= ' ' && c <= '~' ? c : '?';

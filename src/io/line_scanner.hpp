@@ -12,7 +12,7 @@
 namespace quadmatch::io {
 
 /// A piece of a file for a message: in quotes, shortened, with bytes that a terminal could not show as `?`.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// Lines end with LF, CR LF or CR; tokens are divided by blanks and tabs; `#` begins a comment. Every look ahead stops
 /// at the line feeds behind the end of the file, so no step asks for the end but `at_end`.
@@ -21,16 +21,32 @@ class LineScanner {
   /// Does a backslash at the end of a line continue it on the next?
   enum class Continuation { No, Yes };
 
-  LineScanner(const FileBytes& bytes, Continuation continuation)
-      : here_(bytes.begin()), end_(bytes.end()), continues_(continuation == Continuation::Yes) {
+  /// @pre  behind the text a line feed stands, or it ends with one that no backslash precedes; eight more bytes may be
+  ///       read. FileBytes and LineChunks see to it.
+  LineScanner(std::string_view text, Continuation continuation)
+      : here_(text.data()), end_(text.data() + text.size()), continues_(continuation == Continuation::Yes) {
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-    if (bytes.view().substr(0, kByteOrderMark.size()) == kByteOrderMark) here_ += kByteOrderMark.size();
+    if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) here_ += kByteOrderMark.size();
+  }
+  LineScanner(const FileBytes& bytes, Continuation continuation) : LineScanner(bytes.view(), continuation) {}
+
+  /// Go on with the next piece of the text, in which lines are counted on.
+  void continue_with(std::string_view text) {
+    here_ = text.data();
+    end_ = text.data() + text.size();
+  }
+
+  /// Step over whole lines.
+  void skip_lines(const char* to, std::uint64_t count) {
+    here_ = to;
+    line_ += count;
   }
 
   [[nodiscard]] bool at_end() const { return here_ >= end_; }
   /// The line scanned, from 1.
   [[nodiscard]] std::uint64_t line() const { return line_; }
   [[nodiscard]] const char* here() const { return here_; }
+  [[nodiscard]] const char* end() const { return end_; }
   /// Bytes left to scan.
   [[nodiscard]] std::size_t remaining() const { return at_end() ? 0 : static_cast<std::size_t>(end_ - here_); }
 

@@ -11,28 +11,43 @@ namespace quadmatch::io {
 
 [[nodiscard]] inline bool is_digit(char c) { return static_cast<unsigned char>(c - '0') < 10; }
 
-/// Append decimal digits to a number, eight at a time; beyond 19 digits it wraps around.
+/// The digits a text begins with, eight at most, and their value.
+struct Digits {
+  std::uint32_t count;
+  std::uint32_t value;
+};
+
+/// Read up to eight digits in one word, without a branch for each.
+/// @pre  eight bytes may be read.
+[[nodiscard]] inline Digits leading_digits(const char* text) {
+  static_assert(std::endian::native == std::endian::little, "the first digit must be the lowest byte");
+  std::uint64_t word = 0;
+  std::memcpy(&word, text, sizeof word);
+  word ^= 0x3030303030303030;  // digits become 0 ... 9, and no other byte does
+  const std::uint64_t others = (word | (word + 0x7676767676767676)) & 0x8080808080808080;
+  const std::uint32_t count = static_cast<std::uint32_t>(std::countr_zero(others)) / 8;
+  if (count == 0) return {0, 0};
+  word <<= 64 - 8 * count;  // zeros in front, so that there are always eight
+  word = 10 * word + (word >> 8);
+  const std::uint64_t thousands = (word & 0x000000ff000000ff) * 0x000f424000000064;
+  const std::uint64_t ones = ((word >> 16) & 0x000000ff000000ff) * 0x0000271000000001;
+  return {count, static_cast<std::uint32_t>((thousands + ones) >> 32)};
+}
+
+inline constexpr std::uint64_t kWholePowers[] = {1,       10,        100,        1'000,      10'000,
+                                                 100'000, 1'000'000, 10'000'000, 100'000'000};
+
+/// Append decimal digits to a number; beyond 19 digits it wraps around.
 /// @return  one past the digits, `text` if there are none.
 /// @pre     eight bytes may be read at every digit and behind the last.
 [[nodiscard]] inline const char* parse_digits(const char* text, std::uint64_t& value) {
-  static_assert(std::endian::native == std::endian::little, "digits are gathered from little-endian words");
-  static constexpr std::uint64_t kPowers[] = {1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000};
-  while (true) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, text, sizeof word);
-    word ^= 0x3030303030303030;  // digits become 0 ... 9, and no other byte does
-    const std::uint64_t others = (word | (word + 0x7676767676767676)) & 0x8080808080808080;
-    const unsigned count = static_cast<unsigned>(std::countr_zero(others)) / 8;
-    if (count == 0) return text;
-    word <<= 64 - 8 * count;  // zeros in front, so that there are always eight
-    word = 10 * word + (word >> 8);
-    word =
-        ((word & 0x000000ff000000ff) * 0x000f424000000064 + ((word >> 16) & 0x000000ff000000ff) * 0x0000271000000001) >>
-        32;
-    value = value * kPowers[count] + (word & 0xffffffff);
-    text += count;
-    if (count < 8) return text;
-  }
+  Digits digits;
+  do {
+    digits = leading_digits(text);
+    value = value * kWholePowers[digits.count] + digits.value;
+    text += digits.count;
+  } while (digits.count == 8);
+  return text;
 }
 
 /// Parse digits of any length with the standard library. @return false if the value is beyond the range of Real.
@@ -69,7 +84,7 @@ template <class Real>
   using Range = ExactRange<Real>;
   const char* here = text;
   const bool negative = *here == '-';
-  if (*here == '-' || *here == '+') ++here;
+  here += *here == '-' || *here == '+' ? 1 : 0;  // no branch: signs are hard to predict
   const char* const unsigned_text = here;
 
   // The mantissa wraps around beyond 19 digits, and is then not used.

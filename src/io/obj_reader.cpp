@@ -7,7 +7,10 @@
 #include <fmt/format.h>
 
 #include "formats.hpp"
+#include "large_pages.hpp"
+#include "line_chunks.hpp"
 #include "line_scanner.hpp"
+#include "obj_lines.hpp"
 #include "passed_over.hpp"
 
 namespace quadmatch::io {
@@ -19,7 +22,7 @@ constexpr std::uint32_t kNoIndex = IndexedAttribute::kNoIndex;
 struct Pool {
   const char* one;
   const char* many;
-  std::size_t count = 0;
+  std::uint64_t count = 0;
   /// References to elements further down, which OBJ allows, each with its line. Only those beyond all before them are
   /// kept: if any reference proves to lead nowhere, the first that does is among them.
   struct Reference {
@@ -42,15 +45,19 @@ struct Pool {
 
 class ObjReader {
  public:
-  ObjReader(const FileBytes& bytes, const std::string& name)
-      : scanner_(bytes, LineScanner::Continuation::Yes), name_(name) {
-    reserve(bytes);
-  }
+  explicit ObjReader(const std::string& name) : name_(name) {}
 
-  Expected<MeshFile> read();
+  Expected<MeshFile> read(LineChunks& text);
 
  private:
-  void reserve(const FileBytes& bytes);
+  void reserve(const LineChunks& text);
+  /// Read the lines of a piece of the text.
+  bool read_lines();
+  /// Step over all ordinary lines that stand next.
+  void read_plain_lines();
+  const char* read_plain_line(const char* line);
+  const char* read_plain_vector(const char* here, std::uint32_t components, Pool& pool, std::vector<double>& values);
+  const char* read_plain_face_line(const char* here);
 
   // Each reads the rest of a record; false when it failed, with the reason in error_.
   bool read_record(std::string_view keyword);
@@ -77,7 +84,7 @@ class ObjReader {
   bool fail_number();
   bool fail_corner();
 
-  LineScanner scanner_;
+  LineScanner scanner_{std::string_view(), LineScanner::Continuation::Yes};
   const std::string& name_;
   Error error_;
   const char* corner_text_ = nullptr;
@@ -106,30 +113,30 @@ constexpr const char* kExtraNames[] = {"w", "red", "green", "blue", "alpha"};
 
 /// Make room for what a large file probably holds, judged by samples of it: growing step by step would copy it all
 /// twice. Room that is not used costs no memory, only addresses.
-void ObjReader::reserve(const FileBytes& bytes) {
+void ObjReader::reserve(const LineChunks& text) {
   constexpr std::size_t kSamples = 64;
   constexpr std::size_t kSampleSize = 2048;
-  if (bytes.size() < 4 * kSamples * kSampleSize) return;
+  if (text.size() < 4 * kSamples * kSampleSize) return;
   std::size_t vertices = 0, texture = 0, normals = 0, faces = 0;
-  for (std::size_t sample = 0; sample < kSamples; ++sample) {
-    const char* const begin = bytes.begin() + sample * (bytes.size() / kSamples);
-    for (const char* here = begin; here != begin + kSampleSize; ++here) {
-      if (*here != '\n') continue;
-      vertices += here[1] == 'v' && here[2] == ' ';
-      texture += here[1] == 'v' && here[2] == 't';
-      normals += here[1] == 'v' && here[2] == 'n';
-      faces += here[1] == 'f';
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    const std::string sample = text.sample(i * (text.size() / kSamples), kSampleSize);
+    for (std::size_t at = 0; at + 2 < sample.size(); ++at) {
+      if (sample[at] != '\n') continue;
+      vertices += sample[at + 1] == 'v' && sample[at + 2] == ' ';
+      texture += sample[at + 1] == 'v' && sample[at + 2] == 't';
+      normals += sample[at + 1] == 'v' && sample[at + 2] == 'n';
+      faces += sample[at + 1] == 'f';
     }
   }
-  // A twentieth more than the samples promise; a sample has no room for errors beyond that.
-  const std::size_t scale = bytes.size() / kSampleSize / kSamples + 1;
+  // A twentieth more than the samples promise.
+  const std::size_t scale = text.size() / kSampleSize / kSamples + 1;
   const auto estimate = [scale](std::size_t seen) { return seen * scale + seen * scale / 20; };
-  faces_.soup().positions.reserve(estimate(vertices));
-  faces_.soup().corners.reserve(4 * estimate(faces));
-  texture_values_.reserve(2 * estimate(texture));
-  normal_values_.reserve(3 * estimate(normals));
-  if (texture > 0) corner_texture_.reserve(4 * estimate(faces));
-  if (normals > 0) corner_normal_.reserve(4 * estimate(faces));
+  reserve_on_large_pages(faces_.soup().positions, estimate(vertices));
+  reserve_on_large_pages(faces_.soup().corners, 4 * estimate(faces));
+  reserve_on_large_pages(texture_values_, 2 * estimate(texture));
+  reserve_on_large_pages(normal_values_, 3 * estimate(normals));
+  if (texture > 0) reserve_on_large_pages(corner_texture_, 4 * estimate(faces));
+  if (normals > 0) reserve_on_large_pages(corner_normal_, 4 * estimate(faces));
 }
 
 bool ObjReader::fail(ErrorCode code, std::string message) {
@@ -138,12 +145,13 @@ bool ObjReader::fail(ErrorCode code, std::string message) {
 }
 
 bool ObjReader::fail_number() {
-  return fail(ErrorCode::BadNumber, fmt::format("{} is not a finite number; {}", quoted(scanner_.peek_token()), kMend));
+  return fail(ErrorCode::BadNumber,
+              fmt::format("{} is not a finite number; {}", in_quotes(scanner_.peek_token()), kMend));
 }
 
 bool ObjReader::fail_corner() {
   return fail(ErrorCode::BadNumber, fmt::format("{} is not a corner; write v, v/vt, v//vn or v/vt/vn",
-                                                quoted(scanner_.peek_token(corner_text_))));
+                                                in_quotes(scanner_.peek_token(corner_text_))));
 }
 
 bool ObjReader::take_reals(double* values, int count, const char* element, const char* parts) {
@@ -363,11 +371,85 @@ std::optional<IndexedAttribute> ObjReader::take_attribute(std::uint32_t componen
   return IndexedAttribute{components, std::move(values), std::move(corner_index)};
 }
 
-Expected<MeshFile> ObjReader::read() {
-  for (; !scanner_.at_end(); scanner_.next_line()) {
-    if (!scanner_.data_ends() && !read_record(scanner_.take_token())) return Unexpected(std::move(error_));
-    if (*scanner_.here() == '#') comments_.push_back(scanner_.take_comment());
+const char* ObjReader::read_plain_vector(const char* here, std::uint32_t components, Pool& pool,
+                                         std::vector<double>& values) {
+  double read[3];
+  const char* const next = read_plain_reals(here, read, components);
+  if (next == nullptr) return nullptr;
+  for (std::uint32_t c = 0; c < components; ++c) values.push_back(read[c]);
+  ++pool.count;
+  return next;
+}
+
+const char* ObjReader::read_plain_face_line(const char* here) {
+  const auto limit = [](const Pool& pool) { return static_cast<std::uint32_t>(std::min(pool.count, kMostVertices)); };
+  PlainFace face;
+  const char* const next = read_plain_face(here, {limit(vertices_), limit(texture_), limit(normals_)}, face);
+  if (next == nullptr || faces_.corner_count() + face.size > kMostCorners) return nullptr;
+  const std::size_t before = faces_.corner_count();
+  for (std::uint32_t k = 0; k < face.size; ++k) faces_.add_corner(face.vertex[k]);
+  if (face.has_texture) {
+    corner_texture_.resize(before, kNoIndex);
+    for (std::uint32_t k = 0; k < face.size; ++k) corner_texture_.push_back(face.texture[k]);
   }
+  if (face.has_normals) {
+    corner_normal_.resize(before, kNoIndex);
+    for (std::uint32_t k = 0; k < face.size; ++k) corner_normal_.push_back(face.normal[k]);
+  }
+  faces_.close_face();
+  return next;
+}
+
+const char* ObjReader::read_plain_line(const char* line) {
+  if (line[0] == 'f') return read_plain_face_line(line + 1);
+  if (line[0] != 'v') return nullptr;
+  if (line[1] == 't') return read_plain_vector(line + 2, texture_components_, texture_, texture_values_);
+  if (line[1] == 'n') return read_plain_vector(line + 2, 3, normals_, normal_values_);
+  Point point;
+  const char* const next = read_plain_reals(line + 1, point.data(), 3);
+  if (next == nullptr) return nullptr;
+  faces_.soup().positions.push_back(point);
+  ++vertices_.count;
+  return next;
+}
+
+void ObjReader::read_plain_lines() {
+  const char* const end = scanner_.end();
+  const char* here = scanner_.here();
+  std::uint64_t lines = 0;
+  while (here < end) {
+    const char* const next = read_plain_line(here);
+    if (next == nullptr) break;
+    here = next;
+    ++lines;
+  }
+  scanner_.skip_lines(here, lines);
+}
+
+bool ObjReader::read_lines() {
+  for (read_plain_lines(); !scanner_.at_end(); read_plain_lines()) {
+    if (!scanner_.data_ends() && !read_record(scanner_.take_token())) return false;
+    if (*scanner_.here() == '#') comments_.push_back(scanner_.take_comment());
+    scanner_.next_line();
+  }
+  return true;
+}
+
+Expected<MeshFile> ObjReader::read(LineChunks& text) {
+  reserve(text);
+  bool empty = true;
+  while (true) {
+    const Expected<std::string_view> piece = text.next();
+    if (!piece) return Unexpected(piece.error());
+    if (piece->empty()) break;
+    if (std::exchange(empty, false)) {
+      scanner_ = LineScanner(*piece, LineScanner::Continuation::Yes);
+    } else {
+      scanner_.continue_with(*piece);
+    }
+    if (!read_lines()) return Unexpected(std::move(error_));
+  }
+  if (empty) return empty_file(name_);
   if (vertices_.count > kMostVertices) {
     fail(ErrorCode::TooLarge, "the mesh has more than 4,294,967,294 vertices; split it");
     return Unexpected(std::move(error_));
@@ -397,6 +479,6 @@ Expected<MeshFile> ObjReader::assemble() {
 
 }  // namespace
 
-Expected<MeshFile> read_obj(const FileBytes& bytes, const std::string& name) { return ObjReader(bytes, name).read(); }
+Expected<MeshFile> read_obj(LineChunks text, const std::string& name) { return ObjReader(name).read(text); }
 
 }  // namespace quadmatch::io

@@ -38,7 +38,7 @@ class OffReader {
     return false;
   }
   bool fail_number(const char* kind) {
-    return fail(ErrorCode::BadNumber, fmt::format("{} is not {}; {}", quoted(scanner_.peek_token()), kind, kMend));
+    return fail(ErrorCode::BadNumber, fmt::format("{} is not {}; {}", in_quotes(scanner_.peek_token()), kind, kMend));
   }
 
   LineScanner scanner_;
@@ -90,7 +90,7 @@ bool OffReader::read_keyword() {
   if (!prefix.empty()) {
     return fail(ErrorCode::UnknownFormat,
                 fmt::format("{} files are not understood; export the mesh with three coordinates as OFF, COFF or NOFF",
-                            quoted(keyword)));
+                            in_quotes(keyword)));
   }
   if (!scanner_.data_ends() && scanner_.peek_token() == "BINARY") {
     return fail(ErrorCode::UnknownFormat, "this is a binary OFF file; export it as text");

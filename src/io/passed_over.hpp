@@ -32,8 +32,8 @@ class PassedOver {
   /// "3 'vp' records were passed over", where `noun` is "record".
   void append_notes(std::string_view noun, std::vector<std::string>& notes) const {
     for (const auto& [name, count] : counts_) {
-      notes.push_back(count == 1 ? fmt::format("1 {} {} was passed over", quoted(name), noun)
-                                 : fmt::format("{} {} {}s were passed over", count, quoted(name), noun));
+      notes.push_back(count == 1 ? fmt::format("1 {} {} was passed over", in_quotes(name), noun)
+                                 : fmt::format("{} {} {}s were passed over", count, in_quotes(name), noun));
     }
     if (others_ > 0) notes.push_back(fmt::format("{} {}s of other names were passed over", others_, noun));
   }

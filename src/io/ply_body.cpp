@@ -90,7 +90,7 @@ class BodyReader {
   }
   bool fail_number() {
     return fail(ErrorCode::BadNumber,
-                fmt::format("{} does not fit its type in the header; {}", quoted(scanner_.peek_token()), kMend));
+                fmt::format("{} does not fit its type in the header; {}", in_quotes(scanner_.peek_token()), kMend));
   }
   /// "vertex 5 of 8"
   [[nodiscard]] std::string whereabouts() const {
@@ -163,8 +163,8 @@ bool BodyReader::read_property(Property& column) {
   }
   const std::uint64_t count = static_cast<std::uint64_t>(value);
   if (column.values.size() + count > std::numeric_limits<std::uint32_t>::max()) {
-    return fail(ErrorCode::TooLarge,
-                fmt::format("property '{}' has more than 4,294,967,295 values; split the mesh", quoted(column.name)));
+    return fail(ErrorCode::TooLarge, fmt::format("property '{}' has more than 4,294,967,295 values; split the mesh",
+                                                 in_quotes(column.name)));
   }
   for (std::uint64_t i = 0; i < count; ++i) {
     if (!take_value(column.type, value)) return false;

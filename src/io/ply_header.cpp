@@ -91,7 +91,7 @@ bool HeaderReader::read_line(std::string_view keyword) {
   } else if (keyword == "obj_info") {
     header_.object_infos.push_back(scanner_.take_rest_of_line());
   } else if (!keyword.empty()) {
-    return fail(ErrorCode::Syntax, fmt::format("the header has no lines {}; {}", quoted(keyword), kMend));
+    return fail(ErrorCode::Syntax, fmt::format("the header has no lines {}; {}", in_quotes(keyword), kMend));
   }
   return true;
 }
@@ -107,11 +107,11 @@ bool HeaderReader::read_format() {
   } else {
     return fail(ErrorCode::Syntax, fmt::format("the format {} is not known; export the mesh as ascii, "
                                                "binary_little_endian or binary_big_endian",
-                                               quoted(encoding)));
+                                               in_quotes(encoding)));
   }
   if (const std::string_view version = scanner_.take_token(); version != "1.0") {
     return fail(ErrorCode::Syntax,
-                fmt::format("version {} of PLY is not known; export the mesh as version 1.0", quoted(version)));
+                fmt::format("version {} of PLY is not known; export the mesh as version 1.0", in_quotes(version)));
   }
   has_format_ = true;
   return true;
@@ -125,8 +125,8 @@ bool HeaderReader::read_element() {
     return fail(ErrorCode::BadNumber, fmt::format("an element needs a name and a count from 0; {}", kMend));
   }
   if (std::cmp_greater(count, kMostVertices)) {
-    return fail(ErrorCode::TooLarge,
-                fmt::format("{} elements {} are more than 4,294,967,294; split the mesh", count, quoted(element.name)));
+    return fail(ErrorCode::TooLarge, fmt::format("{} elements {} are more than 4,294,967,294; split the mesh", count,
+                                                 in_quotes(element.name)));
   }
   element.count = static_cast<std::uint32_t>(count);
   header_.elements.push_back(std::move(element));
@@ -136,7 +136,7 @@ bool HeaderReader::read_element() {
 std::optional<ScalarType> HeaderReader::take_type() {
   const std::string_view word = scanner_.take_token();
   const std::optional<ScalarType> type = type_named(word);
-  if (!type) fail(ErrorCode::Syntax, fmt::format("{} is not a type of numbers; {}", quoted(word), kMend));
+  if (!type) fail(ErrorCode::Syntax, fmt::format("{} is not a type of numbers; {}", in_quotes(word), kMend));
   return type;
 }
 
@@ -173,18 +173,18 @@ bool HeaderReader::names_are_unique() {
   for (const PlyElement& element : header_.elements) {
     elements.emplace_back(element.name);
     if (element.properties.empty() && element.count > 0) {
-      return fail(ErrorCode::Syntax, fmt::format("element {} has no properties; {}", quoted(element.name), kMend));
+      return fail(ErrorCode::Syntax, fmt::format("element {} has no properties; {}", in_quotes(element.name), kMend));
     }
     std::vector<std::string_view> properties;
     for (const PlyProperty& property : element.properties) properties.emplace_back(property.name);
     if (const std::string twice = repeated(std::move(properties)); !twice.empty()) {
-      return fail(ErrorCode::Syntax, fmt::format("property {} of element {} is declared twice; {}", quoted(twice),
-                                                 quoted(element.name), kMend));
+      return fail(ErrorCode::Syntax, fmt::format("property {} of element {} is declared twice; {}", in_quotes(twice),
+                                                 in_quotes(element.name), kMend));
     }
   }
   const std::string twice = repeated(std::move(elements));
   return twice.empty() ||
-         fail(ErrorCode::Syntax, fmt::format("element {} is declared twice; {}", quoted(twice), kMend));
+         fail(ErrorCode::Syntax, fmt::format("element {} is declared twice; {}", in_quotes(twice), kMend));
 }
 
 }  // namespace

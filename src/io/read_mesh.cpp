@@ -35,9 +35,7 @@ std::optional<Format> format_of_bytes(const FileBytes& bytes) {
 }
 
 Expected<MeshFile> read_bytes(const FileBytes& bytes, const std::string& name, std::optional<Format> format) {
-  if (bytes.size() == 0) {
-    return Unexpected(Error{ErrorCode::Empty, "the file is empty; export the mesh again", name});
-  }
+  if (bytes.size() == 0) return io::empty_file(name);
   if (!format) format = format_of_bytes(bytes);
   if (!format) {
     return Unexpected(Error{ErrorCode::UnknownFormat,
@@ -46,7 +44,7 @@ Expected<MeshFile> read_bytes(const FileBytes& bytes, const std::string& name, s
   }
   switch (*format) {
     case Format::Obj:
-      return io::read_obj(bytes, name);
+      return io::read_obj(io::LineChunks(bytes), name);
     case Format::Ply:
       return io::read_ply(bytes, name);
     case Format::Off:
@@ -73,6 +71,11 @@ std::optional<Format> format_of_path(std::string_view path) {
 }
 
 Expected<MeshFile> read_mesh(const std::string& path) {
+  if (format_of_path(path) == Format::Obj) {
+    Expected<io::LineChunks> text = io::LineChunks::open(path);
+    if (!text) return Unexpected(std::move(text).error());
+    return io::read_obj(std::move(*text), path);
+  }
   const Expected<FileBytes> bytes = read_file(path);
   if (!bytes) return Unexpected(bytes.error());
   const bool standard = path == "-";
@@ -86,6 +89,10 @@ Expected<MeshFile> parse_mesh(std::string_view bytes, const std::string& name, s
 }
 
 namespace io {
+
+Unexpected<Error> empty_file(const std::string& name) {
+  return Unexpected(Error{ErrorCode::Empty, "the file is empty; export the mesh again", name});
+}
 
 Expected<Mesh> build_mesh(PolygonSoup soup, const std::string& name) {
   if (soup.corners.empty()) {

@@ -34,7 +34,7 @@ UsdaPrimvar& UsdaMesh::primvar(std::string_view primvar_name) {
 }
 
 bool UsdaCollector::fail(const UsdaMesh& mesh, ErrorCode code, const std::string& message, std::uint64_t line) {
-  error = {code, fmt::format("mesh {}: {}; {}", quoted(mesh.name), message, kMend), name_, line};
+  error = {code, fmt::format("mesh {}: {}; {}", in_quotes(mesh.name), message, kMend), name_, line};
   return false;
 }
 
@@ -48,7 +48,7 @@ bool UsdaCollector::add(const UsdaMesh& mesh) {
   const auto normals = std::find_if(mesh.primvars.begin(), mesh.primvars.end(), is_normals);
   if (normals != mesh.primvars.end()) add_primvar(mesh, *normals, normals_);
   if (mesh.left_handed) {
-    notes_.push_back(fmt::format("mesh {} is left-handed; its faces were turned over", quoted(mesh.name)));
+    notes_.push_back(fmt::format("mesh {} is left-handed; its faces were turned over", in_quotes(mesh.name)));
   }
   return true;
 }
@@ -124,8 +124,8 @@ void UsdaCollector::add_primvar(const UsdaMesh& mesh, const UsdaPrimvar& primvar
   const auto in_pool = [tuples](std::int64_t index) { return std::cmp_less(index, tuples); };
   if (count != expected || tuples > IndexedAttribute::kNoIndex - pool.values.size() / pool.components - 1 ||
       (primvar.indices && !std::all_of(primvar.indices->begin(), primvar.indices->end(), in_pool))) {
-    notes_.push_back(fmt::format("mesh {}: {} {} do not fit its faces and were not kept", quoted(mesh.name), count,
-                                 quoted(primvar.name)));
+    notes_.push_back(fmt::format("mesh {}: {} {} do not fit its faces and were not kept", in_quotes(mesh.name), count,
+                                 in_quotes(primvar.name)));
     return;
   }
   const std::size_t base = pool.values.size() / pool.components;

@@ -58,18 +58,19 @@ class UsdaReader {
     return false;
   }
   bool fail_end() {
-    const std::string prim = open_.empty() ? "its first prim" : fmt::format("prim {}", quoted(open_.back().mesh.name));
+    const std::string prim =
+        open_.empty() ? "its first prim" : fmt::format("prim {}", in_quotes(open_.back().mesh.name));
     return fail(ErrorCode::Truncated, fmt::format("the file ends within {}; export the mesh again", prim));
   }
   bool fail_syntax(const char* expected) {
     if (!scanner_.skip_blanks()) return fail_end();
     return fail(ErrorCode::Syntax,
-                fmt::format("there should be {} at {}; {}", expected, quoted(scanner_.rest()), kMend));
+                fmt::format("there should be {} at {}; {}", expected, in_quotes(scanner_.rest()), kMend));
   }
   bool fail_number() {
     if (!scanner_.skip_blanks()) return fail_end();
-    return fail(ErrorCode::BadNumber,
-                fmt::format("{} does not begin with a finite number of its type; {}", quoted(scanner_.rest()), kMend));
+    return fail(ErrorCode::BadNumber, fmt::format("{} does not begin with a finite number of its type; {}",
+                                                  in_quotes(scanner_.rest()), kMend));
   }
 
   UsdaScanner scanner_;
