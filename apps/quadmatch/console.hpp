@@ -26,7 +26,7 @@ void warn(std::string_view what);
 bool print(std::string_view text);
 
 /// One line on a terminal that says how far the work is, rewritten in place and cleared at the end. It appears when
-/// work has lasted a second, and never where standard error is not a terminal.
+/// work has lasted a second, never where standard error is not a terminal, and makes way for messages.
 class Progress {
  public:
   explicit Progress(bool wanted);
@@ -47,7 +47,6 @@ class Progress {
 
   using Clock = std::chrono::steady_clock;
   bool visible_;
-  bool shown_ = false;
   std::string stage_;
   Clock::time_point began_ = Clock::now();
   Clock::time_point last_shown_ = {};

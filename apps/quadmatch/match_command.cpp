@@ -43,6 +43,11 @@ const std::map<std::string, OrientationChoice> kOrientations{{"auto", Orientatio
                                                              {"preserving", OrientationChoice::Preserving},
                                                              {"reversing", OrientationChoice::Reversing}};
 
+template <class Choice>
+CLI::Validator one_of(const std::map<std::string, Choice>& choices) {
+  return CLI::IsMember(choices).description("");  // the help names them in a sentence
+}
+
 struct MatchArguments {
   std::string source, target;
   std::string output;
@@ -147,10 +152,10 @@ int run_match(const MatchArguments& arguments) {
   }
   Progress progress(!arguments.quiet);
   Stopwatch stopwatch;
-  progress.stage("reading");
+  progress.stage("reading " + display_name(arguments.source));
   const std::optional<MeshFile> source = read_input(arguments.source, !arguments.quiet);
   if (!source) return kTrouble;
-  progress.stage("reading");
+  progress.stage("reading " + display_name(arguments.target));
   const std::optional<MeshFile> target = read_input(arguments.target, !arguments.quiet);
   if (!target) return kTrouble;
   Times times;
@@ -170,33 +175,23 @@ int run_match(const MatchArguments& arguments) {
   if (!is_sound(*source, *target, result->match)) return kTrouble;
   times.verifying = stopwatch.lap();
 
+  progress.clear();
+
   MatchReport report = report_match(source->mesh, target->mesh, *result, !arguments.anchors.empty());
+  report.source.path = arguments.source;
+  report.target.path = arguments.target;
+  report.settings = settings_of(arguments);
   stopwatch.lap();
-  progress.stage("writing");
-  const MatchFile file{side_of(*source), side_of(*target), std::move(result->match), settings_of(arguments)};
   if (const bool figures_only = arguments.json && arguments.output.empty(); !figures_only) {
     const std::string output = arguments.output.empty() ? "-" : arguments.output;
+    const MatchFile file{side_of(*source), side_of(*target), std::move(result->match), report.settings};
     if (Expected<void> written = write_match(output, file); !written) return complain(written.error());
     if (output != "-") report.output = output;
   }
   times.writing = stopwatch.lap();
-  progress.clear();
-
-  report.source.path = arguments.source;
-  report.target.path = arguments.target;
-  report.settings = file.settings;
   report.times = times;
   if (!tell(arguments, report)) return kTrouble;
   return report.matched_faces() > 0 ? kSame : kDifferent;
-}
-
-}  // namespace
-
-namespace {
-
-template <class Choice>
-CLI::Validator one_of(const std::map<std::string, Choice>& choices) {
-  return CLI::IsMember(choices).description("");  // the help names them in a sentence
 }
 
 }  // namespace
