@@ -31,10 +31,11 @@ class Cage {
   Face add_face(Part part, Chart chart, std::uint32_t column, std::uint32_t row, const std::array<Vertex, 4>& corners);
 
   /// Pull faces out of the surface: they move as told, and a ring of quads joins them to their old rim.
-  /// @param faces  connected, with a rim that passes no vertex twice. They keep their numbers.
+  /// @param faces  they keep their numbers.
   /// @param part   of the new quads.
   /// @param chart  where the new quads are laid out, as one row above those it has.
   /// @return       the new quads, along the rim; the same order for the same faces.
+  /// @pre          one rim, which passes no vertex twice and the lowest of the faces.
   std::vector<Face> extrude(std::span<const Face> faces, Part part, Chart chart, const Motion& motion);
 
   void set_part(Face face, Part part) { faces_[face].part = part; }
