@@ -52,7 +52,8 @@ std::string follow_links(std::string path) {
     const ssize_t length = ::readlink(path.c_str(), next, sizeof next);
     if (length <= 0 || length == sizeof next) break;
     const std::string leads_to(next, static_cast<std::size_t>(length));
-    path = leads_to.front() == '/' ? leads_to : folder_of(path) + leads_to;
+    path = leads_to.front() == '/' ? std::string() : folder_of(path);
+    path += leads_to;
   }
   return path;
 }

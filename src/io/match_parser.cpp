@@ -1,5 +1,5 @@
-// The JSON of a match file. This is the one source file that includes the JSON library: it reads by events, so that a
-// million pairs never become a million small arrays, and it escapes strings.
+// The JSON of a match file. This is the one source of the layer that includes the JSON library: it reads by events, so
+// that a million pairs never become a million small arrays, and it escapes strings.
 
 #include "match_parser.hpp"
 

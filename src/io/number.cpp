@@ -1,34 +1,80 @@
-// The slow way to a number: any length, exactly rounded.
+// The long way to a number: any length, exactly rounded.
 
 #include "number.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <string>
 #include <system_error>
+#include <type_traits>
 
 namespace quadmatch::io {
+namespace {
 
+/// The parts of a number without its sign.
+struct Decimal {
+  const char* begin;
+  const char* end;
+  bool tiny;  ///< if it is out of range, then below
+};
+
+const char* skip_digits(const char* here) {
+  while (is_digit(*here)) ++here;
+  return here;
+}
+
+/// Find the end of a number. @return false if there is none at `begin`.
+bool scan_decimal(const char* begin, Decimal& decimal) {
+  const char* here = skip_digits(begin);
+  std::ptrdiff_t count = here - begin;
+  if (*here == '.') {
+    const char* const fraction = here + 1;
+    here = skip_digits(fraction);
+    count += here - fraction;
+  }
+  if (count == 0) return false;
+  decimal = {begin, here, *begin == '0' || *begin == '.'};
+  if (*here != 'e' && *here != 'E') return true;
+  const char* power = here + 1;
+  decimal.tiny = *power == '-';
+  if (*power == '-' || *power == '+') ++power;
+  decimal.end = skip_digits(power);
+  return decimal.end != power;
+}
+
+/// The standard library's value. @return false if it is too large for Real.
 template <class Real>
-bool parse_long_real(const char* begin, const char* end, Real& value) {
+bool convert(const Decimal& decimal, Real& value) {
 #ifdef __cpp_lib_to_chars
-  const std::from_chars_result result = std::from_chars(begin, end, value);
-  if (result.ec == std::errc()) return true;
-  // Out of range: too small if the exponent says so or, without one, if nothing but zeros stands before the point.
-  const char* const power = std::find_if(begin, end, [](char c) { return c == 'e' || c == 'E'; });
-  const bool tiny = power != end ? power[1] == '-' : *begin == '0' || *begin == '.';
-  if (tiny) value = 0;
-  return tiny;
+  if (std::from_chars(decimal.begin, decimal.end, value).ec == std::errc()) return true;
+  if (decimal.tiny) value = 0;
+  return decimal.tiny;
 #else
-  // A standard library without from_chars for reals, as on WebAssembly, where strtod knows no locale but "C".
-  value = static_cast<Real>(std::strtod(std::string(begin, end).c_str(), nullptr));
+  // A standard library without from_chars for reals, as on WebAssembly, where strto* know no locale but "C".
+  const std::string text(decimal.begin, decimal.end);
+  if constexpr (std::is_same_v<Real, float>) {
+    value = std::strtof(text.c_str(), nullptr);
+  } else {
+    value = std::strtod(text.c_str(), nullptr);
+  }
   return std::isfinite(value);
 #endif
 }
 
-template bool parse_long_real<float>(const char*, const char*, float&);
-template bool parse_long_real<double>(const char*, const char*, double&);
+}  // namespace
+
+template <class Real>
+const char* parse_any_real(const char* text, Real& value) {
+  const bool negative = *text == '-';
+  Decimal decimal{};
+  if (!scan_decimal(text + (negative || *text == '+' ? 1 : 0), decimal)) return nullptr;
+  if (!convert(decimal, value)) return nullptr;
+  if (negative) value = -value;
+  return decimal.end;
+}
+
+template const char* parse_any_real<float>(const char*, float&);
+template const char* parse_any_real<double>(const char*, double&);
 
 }  // namespace quadmatch::io

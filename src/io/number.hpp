@@ -3,9 +3,9 @@
 
 #include <bit>
 #include <cfloat>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <type_traits>
 
 namespace quadmatch::io {
 
@@ -50,75 +50,55 @@ inline constexpr std::uint64_t kWholePowers[] = {1,       10,        100,       
   return text;
 }
 
-/// Parse digits of any length with the standard library. @return false if the value is beyond the range of Real.
-template <class Real>
-[[nodiscard]] bool parse_long_real(const char* begin, const char* end, Real& value);
-
-extern template bool parse_long_real<float>(const char*, const char*, float&);
-extern template bool parse_long_real<double>(const char*, const char*, double&);
-
-/// What the fast way of Clinger (1990) needs: a product or quotient of two exactly representable numbers is rounded
-/// once, and so correctly.
+/// What Clinger (1990) needs for an exact result in one step: a quotient of two numbers that are represented exactly
+/// is rounded once, and so correctly.
 template <class Real>
 struct ExactRange;
 template <>
 struct ExactRange<double> {
-  static constexpr std::uint64_t kMostMantissa = std::uint64_t{1} << 53U;
-  static constexpr int kMostExponent = 22;
-  static constexpr double kPowers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                       1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+  static constexpr std::ptrdiff_t kMostDigits = 15;
+  static constexpr double kSigns[] = {1, -1};
+  static constexpr double kPowers[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
 };
 template <>
 struct ExactRange<float> {
-  static constexpr std::uint64_t kMostMantissa = std::uint64_t{1} << 24U;
-  static constexpr int kMostExponent = 10;
-  static constexpr float kPowers[] = {1e0F, 1e1F, 1e2F, 1e3F, 1e4F, 1e5F, 1e6F, 1e7F, 1e8F, 1e9F, 1e10F};
+  static constexpr std::ptrdiff_t kMostDigits = 7;
+  static constexpr float kSigns[] = {1, -1};
+  static constexpr float kPowers[] = {1e0F, 1e1F, 1e2F, 1e3F, 1e4F, 1e5F, 1e6F, 1e7F, 1e8F};
 };
+
+/// As `parse_real`, in full: any number of digits, and an exponent.
+template <class Real>
+[[nodiscard]] const char* parse_any_real(const char* text, Real& value);
+
+extern template const char* parse_any_real<float>(const char*, float&);
+extern template const char* parse_any_real<double>(const char*, double&);
 
 /// Parse the decimal number that begins at `text`: sign, digits with or without a point, exponent. No `nan`, no `inf`.
 ///
 /// @return  one past the number; nullptr if there is none or it is too large for Real. Too small ones become zero.
-/// @pre     a character that belongs to no number follows somewhere.
+/// @pre     a character that belongs to no number follows somewhere, and eight bytes behind it may be read.
 template <class Real>
 [[nodiscard]] const char* parse_real(const char* text, Real& value) {
   using Range = ExactRange<Real>;
-  const char* here = text;
-  const bool negative = *here == '-';
-  here += *here == '-' || *here == '+' ? 1 : 0;  // no branch: signs are hard to predict
-  const char* const unsigned_text = here;
+  const bool negative = *text == '-';
+  const char* here = text + (negative || *text == '+' ? 1 : 0);  // no branch: signs are hard to predict
 
-  // The mantissa wraps around beyond 19 digits, and is then not used.
-  std::uint64_t mantissa = 0;
   const char* const digits = here;
+  std::uint64_t mantissa = 0;
   while (is_digit(*here)) mantissa = 10 * mantissa + static_cast<std::uint64_t>(*here++ - '0');
-  std::int64_t digit_count = here - digits;
-  std::int64_t exponent = 0;
+  std::ptrdiff_t count = here - digits;
+  Digits fraction{0, 0};
   if (*here == '.') {
-    const char* const fraction = ++here;
-    here = parse_digits(here, mantissa);
-    exponent = fraction - here;
-    digit_count -= exponent;
+    fraction = leading_digits(here + 1);
+    mantissa = mantissa * kWholePowers[fraction.count] + fraction.value;
+    count += fraction.count;
+    here += 1 + fraction.count;
   }
-  if (digit_count == 0) return nullptr;
-  if (*here == 'e' || *here == 'E') {
-    const char* power = here + 1;
-    const bool shrinks = *power == '-';
-    if (*power == '-' || *power == '+') ++power;
-    if (!is_digit(*power)) return nullptr;
-    std::int64_t written = 0;
-    for (; is_digit(*power); ++power) written = written < 100000 ? 10 * written + (*power - '0') : written;
-    exponent += shrinks ? -written : written;
-    here = power;
-  }
-
-  if (FLT_EVAL_METHOD == 0 && digit_count <= 19 && mantissa <= Range::kMostMantissa &&
-      exponent >= -Range::kMostExponent && exponent <= Range::kMostExponent) {
-    const Real exact = static_cast<Real>(mantissa);
-    value = exponent < 0 ? exact / Range::kPowers[-exponent] : exact * Range::kPowers[exponent];
-  } else if (!parse_long_real(unsigned_text, here, value)) {
-    return nullptr;
-  }
-  if (negative) value = -value;
+  const bool ends = !is_digit(*here) && *here != 'e' && *here != 'E';
+  if (FLT_EVAL_METHOD != 0 || !ends || count == 0 || count > Range::kMostDigits) return parse_any_real(text, value);
+  const Real whole = static_cast<Real>(static_cast<std::int64_t>(mantissa));  // signed: one instruction
+  value = Range::kSigns[negative ? 1 : 0] * (whole / Range::kPowers[fraction.count]);
   return here;
 }
 
