@@ -37,8 +37,8 @@ Examples:
 
 Exit status: 0 matched, in whole or in part; 1 nothing matched; 2 trouble.)";
 
-const std::map<std::string, Algorithm> kAlgorithms{{"lazy-greedy", Algorithm::LazyGreedy},
-                                                   {"greedy", Algorithm::Greedy}};
+const std::map<std::string, Algorithm> kAlgorithms{
+    {"regions", Algorithm::Regions}, {"lazy-greedy", Algorithm::LazyGreedy}, {"greedy", Algorithm::Greedy}};
 const std::map<std::string, OrientationChoice> kOrientations{{"auto", OrientationChoice::Auto},
                                                              {"preserving", OrientationChoice::Preserving},
                                                              {"reversing", OrientationChoice::Reversing}};

@@ -134,10 +134,18 @@ class Traffic {
   std::vector<FanId> crossings_, stops_;
 };
 
-/// Every edge that a particle went along, once, particle after particle.
+/// Every edge that a particle went along, once, particle after particle; and the traffic they made.
 struct Traces {
+  explicit Traces(const Mesh& mesh) : traffic(mesh) {}
+
   std::vector<Dart> darts;
   std::vector<std::size_t> starts = {0};  ///< where each trace begins in `darts`, and the total
+  Traffic traffic;
+
+  void go_along(Dart dart) { darts.push_back(dart); }
+  void pass(FanId fan) { traffic.pass(fan); }
+  void stop(FanId fan) { traffic.stop(fan); }
+  void end() { starts.push_back(darts.size()); }
 
   [[nodiscard]] std::size_t count() const { return starts.size() - 1; }
   [[nodiscard]] std::span<const Dart> trace(std::size_t number) const {
@@ -145,44 +153,61 @@ struct Traces {
   }
 };
 
+/// Where only the ends of the traces are wanted.
+struct NoTraces {
+  void go_along(Dart /*dart*/) {}
+  void pass(FanId /*fan*/) {}
+  void stop(FanId /*fan*/) {}
+  void end() {}
+};
+
 /// Shoot a particle from every spoke, and join it to the spoke in which it comes to rest: both ends at once, so that
 /// each trace is walked in one direction only.
-Traces shoot(const Mesh& mesh, const PerFan<VertexCode>& codes, ArcGraph& separatrices, const SpokeIndex& index,
-             Traffic& traffic) {
-  Traces traces;
+template <class Recorder>
+void shoot(const Mesh& mesh, const PerFan<VertexCode>& codes, ArcGraph& separatrices, const SpokeIndex& index,
+           Recorder& recorder) {
   const std::vector<std::uint32_t> owner = owners(separatrices);
   for (std::uint32_t spoke = 0; spoke < separatrices.spokes.size(); ++spoke) {
     if (separatrices.spokes[spoke].length != 0) continue;  // a particle came to rest here before
     Dart here = separatrices.spokes[spoke].start;
-    traces.darts.push_back(here);
+    std::uint32_t length = 1;
+    recorder.go_along(here);
     FanId ahead = fan_ahead(mesh, here);
     while (!codes[ahead].extraordinary()) {
       const Dart next = straight_ahead(mesh, here);
       if (!next.halfedge.valid()) break;
-      traffic.pass(ahead);
-      traces.darts.push_back(here = next);
+      recorder.pass(ahead);
+      recorder.go_along(here = next);
       ahead = fan_ahead(mesh, here);
+      ++length;
     }
-    const auto length = static_cast<std::uint32_t>(traces.darts.size() - traces.starts.back());
-    traces.starts.push_back(traces.darts.size());
+    recorder.end();
     if (codes[ahead].extraordinary()) {
       const std::uint32_t to_spoke = index.find(turned_back(mesh, here));
       join(separatrices, owner[spoke], spoke, owner[to_spoke], to_spoke, length);
     } else {
       join(separatrices, owner[spoke], spoke, kNone, kNone, length);
-      traffic.stop(ahead);
+      recorder.stop(ahead);
     }
   }
-  return traces;
+}
+
+/// The separatrix graph, with its spokes not yet joined.
+ArcGraph graph_of_extraordinary(const Mesh& mesh, const PerFan<VertexCode>& codes, SpokeIndex& index) {
+  std::vector<FanId> extraordinary;
+  for (std::uint32_t p = 0; p < mesh.fan_count(); ++p) {
+    if (codes[FanId(p)].extraordinary()) extraordinary.push_back(FanId(p));
+  }
+  return graph_of_nodes(mesh, std::move(extraordinary), index, [](Dart) { return true; });
 }
 
 /// The skeleton: the same traces, cut wherever they pass a node.
 ArcGraph cut_at_crossings(const Mesh& mesh, const PerFan<VertexCode>& codes, const std::vector<FanId>& extraordinary,
-                          const Traces& traces, const Traffic& traffic, SpokeIndex& index) {
+                          const Traces& traces, SpokeIndex& index) {
   std::vector<bool> traced(mesh.halfedge_count(), false);
   for (const Dart dart : traces.darts) traced[mesh.edge(dart.halfedge).value] = true;
   std::vector<FanId> nodes;
-  const std::vector<FanId> met = traffic.nodes();
+  const std::vector<FanId> met = traces.traffic.nodes();
   std::merge(extraordinary.begin(), extraordinary.end(), met.begin(), met.end(), std::back_inserter(nodes));
   index.restart();
   ArcGraph skeleton =
@@ -194,7 +219,7 @@ ArcGraph cut_at_crossings(const Mesh& mesh, const PerFan<VertexCode>& codes, con
     std::size_t start = 0;
     for (std::size_t step = 0; step < trace.size(); ++step) {
       const FanId ahead = fan_ahead(mesh, trace[step]);
-      if (!codes[ahead].extraordinary() && !traffic.is_node(ahead)) continue;
+      if (!codes[ahead].extraordinary() && !traces.traffic.is_node(ahead)) continue;
       const std::uint32_t from = index.find(trace[start]);
       const std::uint32_t to = index.find(turned_back(mesh, trace[step]));
       join(skeleton, owner[from], from, owner[to], to, static_cast<std::uint32_t>(step + 1 - start));
@@ -232,21 +257,21 @@ VertexId head_of(const Mesh& mesh, Dart dart) {
 }
 
 Tracing trace_skeleton(const Mesh& mesh, const PerFan<VertexCode>& codes) {
-  std::vector<FanId> extraordinary;
-  for (std::uint32_t p = 0; p < mesh.fan_count(); ++p) {
-    if (codes[FanId(p)].extraordinary()) extraordinary.push_back(FanId(p));
-  }
-  Tracing tracing;
-  if (extraordinary.empty()) {
-    tracing.skeleton.first_spoke = tracing.separatrices.first_spoke = {0};
-    return tracing;
-  }
   SpokeIndex index(mesh);
-  tracing.separatrices = graph_of_nodes(mesh, extraordinary, index, [](Dart) { return true; });
-  Traffic traffic(mesh);
-  const Traces traces = shoot(mesh, codes, tracing.separatrices, index, traffic);
-  tracing.skeleton = cut_at_crossings(mesh, codes, extraordinary, traces, traffic, index);
+  Tracing tracing;
+  tracing.separatrices = graph_of_extraordinary(mesh, codes, index);
+  Traces traces(mesh);
+  shoot(mesh, codes, tracing.separatrices, index, traces);
+  tracing.skeleton = cut_at_crossings(mesh, codes, tracing.separatrices.nodes, traces, index);
   return tracing;
+}
+
+ArcGraph trace_separatrices(const Mesh& mesh, const PerFan<VertexCode>& codes) {
+  SpokeIndex index(mesh);
+  ArcGraph separatrices = graph_of_extraordinary(mesh, codes, index);
+  NoTraces traces;
+  shoot(mesh, codes, separatrices, index, traces);
+  return separatrices;
 }
 
 }  // namespace quadmatch

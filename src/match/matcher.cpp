@@ -11,6 +11,8 @@
 #include <quadmatch/analysis/vertex_code.hpp>
 
 #include "growth.hpp"
+#include "regions/assemble.hpp"
+#include "regions/engine.hpp"
 
 namespace quadmatch {
 namespace {
@@ -39,9 +41,20 @@ Anchor first_that_fits(const Growth& growth, const std::vector<UserAnchor>& anch
   return first == anchors.end() ? Anchor() : *first;
 }
 
+/// The regions engine, with the target as it is laid.
+MatchResult match_by_regions(const Analysis& source, const Analysis& target, const MatchOptions& options,
+                             Orientation orientation) {
+  const regions::Sides sides{{source.mesh, source.codes, source.tracing.separatrices},
+                             {target.mesh, target.codes, target.tracing.separatrices}};
+  MatchResult result;
+  result.match = regions::assemble(sides, regions::match_regions(sides), orientation, options.waves);
+  return result;
+}
+
 /// Match with the target as it is laid: the rotation systems agree.
 MatchResult match_laid(const Analysis& source, const Analysis& target, const MatchOptions& options,
                        Orientation orientation) {
+  if (options.algorithm == Algorithm::Regions) return match_by_regions(source, target, options, orientation);
   MatchResult result;
   result.search = anchors_for(source, target, options);
   Growth growth(source.mesh, source.codes, target.mesh, target.codes);

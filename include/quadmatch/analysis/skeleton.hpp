@@ -65,6 +65,9 @@ struct Tracing {
 /// @par Reading  §4.3 does not say what a crossing of two traces is; we make it a node, as Table 5.1's sizes ask.
 [[nodiscard]] Tracing trace_skeleton(const Mesh& mesh, const PerFan<VertexCode>& codes);
 
+/// The separatrix graph alone: the same as trace_skeleton(mesh, codes).separatrices, in half the time.
+[[nodiscard]] ArcGraph trace_separatrices(const Mesh& mesh, const PerFan<VertexCode>& codes);
+
 /// The next edge straight ahead through a regular vertex; not valid where the boundary stops the particle.
 /// @pre the vertex ahead is regular.
 [[nodiscard]] Dart straight_ahead(const Mesh& mesh, Dart dart);

@@ -15,6 +15,7 @@ namespace quadmatch {
 enum class Algorithm {
   Greedy,      ///< §4.4: every quad that fits, wave by wave
   LazyGreedy,  ///< §4.5: the largest component of the compatibility graph first
+  Regions,     ///< many anchors, many regions, belief by evidence
 };
 
 /// Which way round the target is laid on the source.

@@ -1,0 +1,98 @@
+#pragma once
+/// Which face lies on which, region by region: what the fire makes, and the stages after it mend.
+
+#include <cstdint>
+#include <vector>
+
+#include <quadmatch/analysis/anchors.hpp>
+#include <quadmatch/analysis/skeleton.hpp>
+#include <quadmatch/mesh/mesh.hpp>
+#include <quadmatch/mesh/per_element.hpp>
+
+namespace quadmatch::regions {
+
+/// What the engine knows of one mesh.
+struct Side {
+  const Mesh& mesh;
+  const PerFan<VertexCode>& codes;
+  const ArcGraph& separatrices;
+
+  /// A vertex of several fans has the code of its first, which bears its number.
+  [[nodiscard]] VertexCode code(VertexId v) const { return codes[FanId(v.value)]; }
+};
+
+/// Both meshes, with the target as it is laid: orientation preserving.
+struct Sides {
+  Side source;
+  Side target;
+};
+
+/// A possible pair of faces, named by half-edges that lie on each other.
+using Candidate = Anchor;
+
+/// The half-edge `steps` corners on from h about its face.
+[[nodiscard]] inline HalfedgeId turned(const Mesh& mesh, HalfedgeId h, std::uint32_t steps) {
+  if (mesh.all_quads()) return HalfedgeId((h.value & ~3U) | ((h.value + steps) & 3U));
+  const FaceId face = mesh.face(h);
+  const std::uint32_t start = mesh.first(face).value;
+  return HalfedgeId(start + (h.value - start + steps) % mesh.size(face));
+}
+
+/// Pairs of faces, each of a region. No face is in two pairs; beyond that nothing is promised.
+class Patchwork {
+ public:
+  static constexpr std::uint32_t kNoRegion = 0xffffffff;
+
+  Patchwork(const Mesh& source, const Mesh& target)
+      : source_(source),
+        target_(target),
+        image_of_first_(source.face_count()),
+        origin_(target.face_count()),
+        region_(source.face_count(), kNoRegion) {}
+
+  [[nodiscard]] bool is_matched(FaceId source_face) const { return image_of_first_[source_face].valid(); }
+  [[nodiscard]] bool is_taken(FaceId target_face) const { return origin_[target_face].valid(); }
+  [[nodiscard]] std::size_t matched_faces() const { return matched_; }
+
+  /// The half-edge on which h lies. @pre its face is matched.
+  [[nodiscard]] HalfedgeId image(HalfedgeId h) const {
+    return turned(target_, image_of_first_[source_.face(h)], source_.corner(h));
+  }
+  [[nodiscard]] FaceId image(FaceId source_face) const { return target_.face(image_of_first_[source_face]); }
+  /// The half-edge that lies on t. @pre its face is taken.
+  [[nodiscard]] HalfedgeId preimage(HalfedgeId t) const {
+    const FaceId face = origin_[target_.face(t)];
+    const std::uint32_t size = source_.size(face);
+    const std::uint32_t steps = target_.corner(t) + size - target_.corner(image_of_first_[face]);
+    return turned(source_, source_.first(face), steps);
+  }
+  [[nodiscard]] FaceId origin(FaceId target_face) const { return origin_[target_face]; }
+  [[nodiscard]] std::uint32_t region(FaceId source_face) const { return region_[source_face]; }
+  void set_region(FaceId source_face, std::uint32_t region) { region_[source_face] = region; }
+
+  /// @pre both faces are free and of one size.
+  void lay(Candidate pair, std::uint32_t region) {
+    const FaceId face = source_.face(pair.source);
+    image_of_first_[face] = turned(target_, pair.target, source_.size(face) - source_.corner(pair.source));
+    origin_[target_.face(pair.target)] = face;
+    region_[face] = region;
+    ++matched_;
+  }
+  /// @pre the face is matched.
+  void lift(FaceId source_face) {
+    origin_[image(source_face)] = FaceId();
+    image_of_first_[source_face] = HalfedgeId();
+    region_[source_face] = kNoRegion;
+    --matched_;
+  }
+
+ private:
+  const Mesh& source_;
+  const Mesh& target_;
+  PerFace<HalfedgeId> image_of_first_;  // of each source face, the image of its first half-edge
+  PerFace<FaceId> origin_;              // of each target face
+  PerFace<std::uint32_t> region_;       // of each source face
+  std::size_t matched_ = 0;
+};
+
+}  // namespace quadmatch::regions

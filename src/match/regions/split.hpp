@@ -1,0 +1,25 @@
+#pragma once
+/// The last word on soundness: cut a patchwork into regions that satisfy the definition (§3), each by itself.
+
+#include <vector>
+
+#include "patchwork.hpp"
+
+namespace quadmatch::regions {
+
+/// A sound region: its pairs in the order in which they were reached, each from a pair before it.
+struct Piece {
+  std::vector<Candidate> pairs;
+  /// How many pairs had been reached at the end of each wave.
+  std::vector<std::uint32_t> waves;
+};
+
+/// Walk every region of a patchwork from the first of its faces that `order` names, and keep what is connected, maps
+/// vertices one-to-one and keeps adjacency both ways; what does not fit becomes a piece of its own.
+/// @param order    half-edges of all matched faces, the better starts first.
+/// @param patchwork  its region numbers become those of the pieces.
+/// @return         pieces in the order of their starts.
+/// @par Cost       O(#matched corners).
+[[nodiscard]] std::vector<Piece> split(const Sides& sides, Patchwork& patchwork, const std::vector<HalfedgeId>& order);
+
+}  // namespace quadmatch::regions
