@@ -144,11 +144,13 @@ def speed_page(figures):
         page.append(table(["quads", "matched by lazy-greedy", "build one mesh", "anchors", "lazy-greedy", "greedy"], rows))
         largest = sizes[-1]
         tiny, ours = median[f"read-tinyobjloader/{largest}"], median[f"read-quadmatch/{largest}"]
+        parsing = ours - median[f"build-in-file-order/{largest}"]
         matched = median[f"lazy-greedy/{largest}"]
         base = next((size for size in sizes if size >= 10000), sizes[0])
         growth = (matched / largest) / (median[f"lazy-greedy/{base}"] / base)
-        page.append(f"\nThe finest mesh as a file: tinyobjloader reads it in {tiny:,.0f} ms, quadmatch in {ours:,.0f} ms "
-                    f"(connectivity included): **{tiny / ours:.1f} times as fast**. Lazy-greedy, anchors and growth, takes "
+        page.append(f"\nThe finest mesh as a file: tinyobjloader reads it in {tiny:,.0f} ms, quadmatch in {parsing:,.0f} ms: "
+                    f"**{tiny / parsing:.1f} times as fast**; with the connectivity, which tinyobjloader does not make, in "
+                    f"{ours:,.0f} ms: {tiny / ours:.1f} times as fast. Lazy-greedy, anchors and growth, takes "
                     f"{matched:,.0f} ms: **{matched / tiny:.2f} of tinyobjloader's time for one of the two files**. From "
                     f"{base:,} to {largest:,} quads the cost of a quad grows {growth:.2f} times.\n")
     return page

@@ -56,6 +56,7 @@ struct MatchArguments {
   std::vector<std::string> anchors;
   bool arc_lengths = false;
   std::uint32_t rounds = AnchorOptions{}.rounds;
+  bool no_positions = false;
   bool waves = false;
   bool json = false;
   bool quiet = false;
@@ -67,6 +68,7 @@ MatchOptions options_of(const MatchArguments& arguments, Progress& progress) {
   options.orientation = kOrientations.at(arguments.orientation);
   options.anchor_search.rounds = arguments.rounds;
   options.anchor_search.colouring.arc_lengths = arguments.arc_lengths;
+  options.positions = !arguments.no_positions;
   options.waves = arguments.waves;
   if (progress.visible()) {
     options.progress = [&progress](std::size_t matched, std::size_t most) {
@@ -223,6 +225,7 @@ void add_match_command(CLI::App& program, Action& chosen) {
       ->capture_default_str();
   verb->add_flag("--arc-lengths", arguments->arc_lengths,
                  "Colour by the lengths of skeleton arcs too: finds more, but inserted edge loops disturb it");
+  verb->add_flag("--no-positions", arguments->no_positions, "Connectivity alone: never look at where vertices are");
   verb->add_flag("--waves", arguments->waves, "Keep the order of growth, wave by wave, in the match file");
   verb->add_flag("--json", arguments->json, "Print the figures as JSON");
   verb->add_flag("--quiet", arguments->quiet, "Print neither summary nor warnings");

@@ -47,7 +47,8 @@ MatchResult match_by_regions(const Analysis& source, const Analysis& target, con
   const regions::Sides sides{{source.mesh, source.codes, source.tracing.separatrices},
                              {target.mesh, target.codes, target.tracing.separatrices}};
   MatchResult result;
-  result.match = regions::assemble(sides, regions::match_regions(sides), orientation, options.waves);
+  result.match = regions::assemble(sides, regions::match_regions(sides, {.positions = options.positions}), orientation,
+                                   options.waves);
   return result;
 }
 

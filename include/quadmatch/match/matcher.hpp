@@ -34,6 +34,8 @@ struct MatchOptions {
   /// Tried in this order, before any that are found; empty: find them (§4.1).
   std::vector<UserAnchor> anchors = {};
   AnchorOptions anchor_search = {};
+  /// Regions only: let positions, where both meshes have them, weigh in where connectivity leaves a choice.
+  bool positions = true;
   /// Keep the growth order wave by wave.
   bool waves = false;
   /// Called now and then with faces matched so far and the most there can be; returning false cancels.

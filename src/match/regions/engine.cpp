@@ -4,6 +4,7 @@
 
 #include "fire.hpp"
 #include "ignition.hpp"
+#include "mending.hpp"
 
 namespace quadmatch::regions {
 namespace {
@@ -32,14 +33,36 @@ void grow(const Sides& sides, Fire& fire, const Patchwork& patchwork) {
   fire.drop_unbelievable(kLeastConfidence);
 }
 
+/// Make the costs small: move what lies badly, match what was left over.
+void mend(Workbench& bench, const Stages& stages) {
+  bench.misfit.calibrate(bench.patchwork);
+  if (stages.seams) move_seams(bench);
+  drop_misfits(bench);
+  if (stages.slivers) match_slivers(bench);
+  for (int round = 0; round < 2 && stages.islands; ++round) {
+    if (match_islands(bench) == 0) break;
+    if (stages.slivers) match_slivers(bench);
+  }
+  if (stages.seams) move_seams(bench);
+  drop_misfits(bench);
+  if (stages.slivers) match_slivers(bench);
+}
+
 }  // namespace
 
-std::vector<Piece> match_regions(const Sides& sides) {
+std::vector<Piece> match_regions(const Sides& sides, const EngineOptions& options) {
   Patchwork patchwork(sides.source.mesh, sides.target.mesh);
-  Fire fire(sides, patchwork);
-  grow(sides, fire, patchwork);
-  fire.settle();
-  return split(sides, patchwork, fire.order());
+  {
+    Fire fire(sides, patchwork);
+    grow(sides, fire, patchwork);
+    fire.settle();
+  }
+  split(sides, patchwork);
+  Misfit misfit(sides, options.positions);
+  Ghost ghost(sides, patchwork);
+  Workbench bench{sides, patchwork, misfit, ghost};
+  mend(bench, options.stages);
+  return split(sides, patchwork);
 }
 
 }  // namespace quadmatch::regions

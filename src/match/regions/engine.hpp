@@ -7,7 +7,20 @@
 
 namespace quadmatch::regions {
 
+/// Which of the later stages are to run, for comparison.
+struct Stages {
+  bool seams = true;
+  bool slivers = true;
+  bool islands = true;
+};
+
+struct EngineOptions {
+  /// Let edge lengths and distances weigh in where evidence is thin.
+  bool positions = true;
+  Stages stages = {};
+};
+
 /// Match two meshes, orientation preserving. @return sound pieces that share no face.
-[[nodiscard]] std::vector<Piece> match_regions(const Sides& sides);
+[[nodiscard]] std::vector<Piece> match_regions(const Sides& sides, const EngineOptions& options);
 
 }  // namespace quadmatch::regions

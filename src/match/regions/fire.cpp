@@ -80,7 +80,7 @@ void Fire::light_due(std::uint32_t distance) {
     if (!is_free(place) || source_.size(source_.face(place.source)) != target_.size(target_.face(place.target))) {
       continue;
     }
-    const auto region = static_cast<std::uint32_t>(parent_.size());
+    const std::uint32_t region = patchwork_.fresh_region();
     parent_.push_back(region);
     accounts_.emplace_back();
     accept(place, region, 0, false);
@@ -218,7 +218,6 @@ std::uint32_t Fire::disagreeing_corners(Candidate candidate) const {
 void Fire::accept(Candidate candidate, std::uint32_t root, std::uint32_t distance, bool leaf) {
   const FaceId face = source_.face(candidate.source);
   patchwork_.lay(candidate, root);
-  order_.push_back(candidate.source);
   ++accounts_[root].faces;
   bool evidence = false;
   note_vertices(candidate, root, evidence);
@@ -288,19 +287,14 @@ std::size_t Fire::drop_unbelievable(double least_confidence) {
     any = any || dropped[region];
   }
   if (!any) return 0;
-  const std::size_t before = order_.size();
-  std::vector<HalfedgeId> kept;
-  kept.reserve(before);
-  for (const HalfedgeId entry : order_) {
-    if (const FaceId face = source_.face(entry); dropped[find(patchwork_.region(face))]) {
-      patchwork_.lift(face);
-    } else {
-      kept.push_back(entry);
-    }
+  const std::size_t before = patchwork_.matched_faces();
+  for (const HalfedgeId entry : patchwork_.history()) {
+    const FaceId face = source_.face(entry);
+    if (dropped[find(patchwork_.region(face))]) patchwork_.lift(face);
   }
-  order_ = std::move(kept);
+  patchwork_.tidy_history();
   recount();
-  return before - order_.size();
+  return before - patchwork_.matched_faces();
 }
 
 /// Forget all vertices, and note them again from what is matched now.
@@ -314,7 +308,7 @@ void Fire::recount() {
     target_vertices_[VertexId(v)].contested = false;
   }
   std::fill(accounts_.begin(), accounts_.end(), Account());
-  for (const HalfedgeId entry : order_) {
+  for (const HalfedgeId entry : patchwork_.history()) {
     const std::uint32_t root = find(patchwork_.region(source_.face(entry)));
     ++accounts_[root].faces;
     bool evidence = false;
@@ -323,14 +317,14 @@ void Fire::recount() {
 }
 
 void Fire::rekindle() {
-  for (const HalfedgeId entry : order_) {
+  for (const HalfedgeId entry : patchwork_.history()) {
     const std::uint32_t distance = distance_[source_.face(entry)];
     if (distance != kLeaf) push_neighbours({entry, patchwork_.image(entry)}, distance + 1);
   }
 }
 
 std::vector<Account> Fire::settle() {
-  for (const HalfedgeId entry : order_) {
+  for (const HalfedgeId entry : patchwork_.history()) {
     const FaceId face = source_.face(entry);
     patchwork_.set_region(face, find(patchwork_.region(face)));
   }

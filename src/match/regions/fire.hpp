@@ -50,8 +50,6 @@ class Fire {
 
   /// Write every face's final region into the patchwork, and return what each region met.
   std::vector<Account> settle();
-  /// All pairs in the order in which they were matched, each by the half-edge of the source it was entered through.
-  [[nodiscard]] const std::vector<HalfedgeId>& order() const { return order_; }
 
  private:
   /// A vertex and the first partner it was given. At a seam it has several, and is contested.
@@ -109,7 +107,6 @@ class Fire {
   std::vector<Deferred> deferred_;
   std::vector<Spark> sparks_;
   std::size_t next_spark_ = 0;
-  std::vector<HalfedgeId> order_;
 };
 
 }  // namespace quadmatch::regions

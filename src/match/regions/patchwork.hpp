@@ -69,6 +69,18 @@ class Patchwork {
   [[nodiscard]] FaceId origin(FaceId target_face) const { return origin_[target_face]; }
   [[nodiscard]] std::uint32_t region(FaceId source_face) const { return region_[source_face]; }
   void set_region(FaceId source_face, std::uint32_t region) { region_[source_face] = region; }
+  /// A number that no region has had.
+  [[nodiscard]] std::uint32_t fresh_region() { return region_count_++; }
+  /// One more than the largest region number.
+  [[nodiscard]] std::uint32_t region_count() const { return region_count_; }
+  /// The half-edges through which faces were matched, in order. Faces lifted since stand in it still, and twice if they
+  /// were laid again.
+  [[nodiscard]] const std::vector<HalfedgeId>& history() const { return history_; }
+  /// Strike out of the history what is not matched now.
+  /// @pre nothing was laid since the first lift() after the last tidying
+  void tidy_history() {
+    std::erase_if(history_, [&](HalfedgeId entry) { return !is_matched(source_.face(entry)); });
+  }
 
   /// @pre both faces are free and of one size.
   void lay(Candidate pair, std::uint32_t region) {
@@ -76,6 +88,7 @@ class Patchwork {
     image_of_first_[face] = turned(target_, pair.target, source_.size(face) - source_.corner(pair.source));
     origin_[target_.face(pair.target)] = face;
     region_[face] = region;
+    history_.push_back(pair.source);
     ++matched_;
   }
   /// @pre the face is matched.
@@ -92,6 +105,8 @@ class Patchwork {
   PerFace<HalfedgeId> image_of_first_;  // of each source face, the image of its first half-edge
   PerFace<FaceId> origin_;              // of each target face
   PerFace<std::uint32_t> region_;       // of each source face
+  std::vector<HalfedgeId> history_;
+  std::uint32_t region_count_ = 0;
   std::size_t matched_ = 0;
 };
 

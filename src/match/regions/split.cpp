@@ -15,12 +15,14 @@ class Splitter {
         source_vertices_(source_.vertex_count()),
         target_vertices_(target_.vertex_count()) {}
 
-  std::vector<Piece> split(const std::vector<HalfedgeId>& order) {
-    for (const HalfedgeId start : order) {
-      if (piece_of_[source_.face(start)] == kNone) walk(start);
+  std::vector<Piece> split() {
+    for (const HalfedgeId start : patchwork_.history()) {
+      const FaceId face = source_.face(start);
+      if (patchwork_.is_matched(face) && piece_of_[face] == kNone) walk(start);
     }
-    for (std::uint32_t piece = 0; piece < pieces_.size(); ++piece) {
-      for (const Candidate& pair : pieces_[piece].pairs) patchwork_.set_region(source_.face(pair.source), piece);
+    for (const Piece& piece : pieces_) {
+      const std::uint32_t region = patchwork_.fresh_region();
+      for (const Candidate& pair : piece.pairs) patchwork_.set_region(source_.face(pair.source), region);
     }
     return std::move(pieces_);
   }
@@ -104,8 +106,6 @@ class Splitter {
 
 }  // namespace
 
-std::vector<Piece> split(const Sides& sides, Patchwork& patchwork, const std::vector<HalfedgeId>& order) {
-  return Splitter(sides, patchwork).split(order);
-}
+std::vector<Piece> split(const Sides& sides, Patchwork& patchwork) { return Splitter(sides, patchwork).split(); }
 
 }  // namespace quadmatch::regions

@@ -14,12 +14,11 @@ struct Piece {
   std::vector<std::uint32_t> waves;
 };
 
-/// Walk every region of a patchwork from the first of its faces that `order` names, and keep what is connected, maps
+/// Walk every region of a patchwork from the first of its faces that was matched, and keep what is connected, maps
 /// vertices one-to-one and keeps adjacency both ways; what does not fit becomes a piece of its own.
-/// @param order    half-edges of all matched faces, the better starts first.
-/// @param patchwork  its region numbers become those of the pieces.
-/// @return         pieces in the order of their starts.
-/// @par Cost       O(#matched corners).
-[[nodiscard]] std::vector<Piece> split(const Sides& sides, Patchwork& patchwork, const std::vector<HalfedgeId>& order);
+/// @param patchwork  its regions become the pieces, with fresh numbers.
+/// @return           pieces in the order of their starts.
+/// @par Cost         O(#matched corners).
+std::vector<Piece> split(const Sides& sides, Patchwork& patchwork);
 
 }  // namespace quadmatch::regions

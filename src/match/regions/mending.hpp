@@ -1,0 +1,44 @@
+#pragma once
+/// The stages after the fire, each a function of its own that mends one kind of flaw. They share the patchwork, the
+/// costs, and one ghost to try things with.
+
+#include <cstdint>
+#include <vector>
+
+#include "ghost.hpp"
+#include "misfit.hpp"
+#include "patchwork.hpp"
+
+namespace quadmatch::regions {
+
+/// What all of them work on.
+struct Workbench {
+  const Sides& sides;
+  Patchwork& patchwork;
+  Misfit& misfit;
+  Ghost& ghost;
+};
+
+/// The entry half-edges of each region's faces, in the order in which they were matched.
+[[nodiscard]] std::vector<std::vector<HalfedgeId>> faces_by_region(const Workbench& bench);
+
+/// Region numbers, from the most faces to the fewest; those without faces are left out.
+[[nodiscard]] std::vector<std::uint32_t> largest_first(const std::vector<std::vector<HalfedgeId>>& faces);
+
+/// Seams: carry every region's map on over its neighbours, and let a minimum cut say which faces are better off with
+/// it (an expansion move of Boykov, Veksler & Zabih 2001). Exact for zigzags, and for seams in flat stretches.
+/// @return  faces whose partner changed.
+std::size_t move_seams(Workbench& bench);
+
+/// Lift every pair that costs more than leaving its face unmatched. @return faces lifted.
+std::size_t drop_misfits(Workbench& bench);
+
+/// Slivers: unmatched faces beside matched ones that regions cannot take in, such as one side of a rip, become regions
+/// of their own where their neighbours say together what they lie on. @return faces matched.
+std::size_t match_slivers(Workbench& bench);
+
+/// Islands: parts cut off by new faces. Hop over one or two unmatched quads of one mesh, and try where one lands.
+/// @return faces matched.
+std::size_t match_islands(Workbench& bench);
+
+}  // namespace quadmatch::regions

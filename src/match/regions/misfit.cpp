@@ -1,0 +1,111 @@
+#include "misfit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quadmatch::regions {
+namespace {
+
+/// Lengths say nothing where even the better half of the matched faces differ by a third.
+constexpr double kUseless = 0.35;
+constexpr double kLeastSigma = 0.02;
+
+float log_distance(const Point& a, const Point& b) {
+  const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+  constexpr double kTiny = 1e-30;  // two vertices in one place
+  return static_cast<float>(0.5 * std::log(std::max(x * x + y * y + z * z, kTiny)));
+}
+
+/// The value that a share of the numbers stay below; reorders them. @pre not empty.
+double quantile(std::vector<double>& numbers, double share) {
+  const auto place = numbers.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(numbers.size() - 1));
+  std::nth_element(numbers.begin(), place, numbers.end());
+  return *place;
+}
+
+}  // namespace
+
+Lengths::Lengths(const Mesh& mesh) : edge_(mesh.halfedge_count()), diagonal_(mesh.halfedge_count()) {
+  const std::span<const Point> positions = mesh.positions();
+  for (std::uint32_t number = 0; number < mesh.halfedge_count(); ++number) {
+    const HalfedgeId h(number), next = mesh.next(h);
+    const Point& here = positions[mesh.origin(h).value];
+    edge_[h] = log_distance(here, positions[mesh.origin(next).value]);
+    diagonal_[h] = log_distance(here, positions[mesh.tip(next).value]);
+  }
+}
+
+Misfit::Misfit(const Sides& sides, bool with_positions) : sides_(sides) {
+  if (!with_positions || sides.source.mesh.positions().empty() || sides.target.mesh.positions().empty()) return;
+  lengths_.emplace_back(sides.source.mesh);
+  lengths_.emplace_back(sides.target.mesh);
+}
+
+void Misfit::calibrate(const Patchwork& patchwork) {
+  uses_lengths_ = false;
+  if (lengths_.empty() || patchwork.matched_faces() == 0) return;
+  const Mesh& source = sides_.source.mesh;
+  std::vector<double> ratios, errors;
+  for (std::uint32_t f = 0; f < source.face_count(); ++f) {
+    if (!patchwork.is_matched(FaceId(f))) continue;
+    double ratio = 0;
+    for (const HalfedgeId h : source.halfedges(FaceId(f))) {
+      ratio += lengths_[1].edge(patchwork.image(h)) - lengths_[0].edge(h);
+    }
+    ratios.push_back(ratio / source.size(FaceId(f)));
+  }
+  scale_ = quantile(ratios, 0.5);
+  for (std::uint32_t f = 0; f < source.face_count(); ++f) {
+    if (!patchwork.is_matched(FaceId(f))) continue;
+    const HalfedgeId first = source.first(FaceId(f));
+    errors.push_back(raw_error({first, patchwork.image(first)}));
+  }
+  const double lower = quantile(errors, 0.25);
+  const double middle = quantile(errors, 0.5);
+  uses_lengths_ = lower < kUseless;
+  sigma_ = std::max(kLeastSigma, 1.5 * std::min(middle, 2 * lower));
+}
+
+double Misfit::raw_error(Candidate pair) const {
+  const Mesh& source = sides_.source.mesh;
+  const Mesh& target = sides_.target.mesh;
+  const bool has_diagonals = source.size(source.face(pair.source)) > 3;
+  double sum = 0;
+  int terms = 0;
+  auto [s, t] = pair;
+  do {
+    const double edge = lengths_[1].edge(t) - lengths_[0].edge(s) - scale_;
+    sum += edge * edge;
+    ++terms;
+    if (has_diagonals) {
+      const double diagonal = lengths_[1].diagonal(t) - lengths_[0].diagonal(s) - scale_;
+      sum += 0.5 * diagonal * diagonal;  // a quad's are met from both ends
+    }
+    s = source.next(s);
+    t = target.next(t);
+  } while (s != pair.source);
+  return std::sqrt(sum / (has_diagonals ? 1.5 * terms : terms));
+}
+
+double Misfit::length_error(Candidate pair) const { return raw_error(pair) / sigma_; }
+
+std::uint32_t Misfit::disagreeing_corners(Candidate pair) const {
+  std::uint32_t disagreeing = 0;
+  auto [s, t] = pair;
+  do {
+    disagreeing += sides_.source.code(sides_.source.mesh.origin(s)) != sides_.target.code(sides_.target.mesh.origin(t));
+    s = sides_.source.mesh.next(s);
+    t = sides_.target.mesh.next(t);
+  } while (s != pair.source);
+  return disagreeing;
+}
+
+double Misfit::cost(Candidate pair) const {
+  const double disagreeing = disagreeing_corners(pair);
+  if (!uses_lengths_) return std::min(kUnmatched - 0.02, 0.3 * disagreeing);
+  const double error = std::min(1.0, length_error(pair) / 3);
+  // Where lengths agree a corner may well disagree: the edit is beside this face.
+  return 0.9 * error + 0.15 * disagreeing * (error > 0.3 ? 1.0 : 0.3);
+}
+
+}  // namespace quadmatch::regions
