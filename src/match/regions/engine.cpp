@@ -1,9 +1,10 @@
 #include "engine.hpp"
 
-#include <utility>
+#include <algorithm>
 
 #include "fire.hpp"
 #include "ignition.hpp"
+#include "likelihood.hpp"
 #include "mending.hpp"
 
 namespace quadmatch::regions {
@@ -48,6 +49,14 @@ void mend(Workbench& bench, const Stages& stages) {
   if (stages.slivers) match_slivers(bench);
 }
 
+constexpr int kMostRestarts = 3;
+
+/// Is at most a little left free in one of the meshes?
+bool leaves_little(const Workbench& bench) {
+  const std::size_t faces = std::min(bench.sides.source.mesh.face_count(), bench.sides.target.mesh.face_count());
+  return 1000 * bench.patchwork.matched_faces() >= 985 * faces;
+}
+
 }  // namespace
 
 std::vector<Piece> match_regions(const Sides& sides, const EngineOptions& options) {
@@ -62,6 +71,12 @@ std::vector<Piece> match_regions(const Sides& sides, const EngineOptions& option
   Ghost ghost(sides, patchwork);
   Workbench bench{sides, patchwork, misfit, ghost};
   mend(bench, options.stages);
+  Likelihood likelihood(bench);
+  for (int round = 0; round < kMostRestarts && options.stages.restarts; ++round) {
+    if (leaves_little(bench) || restart(bench, likelihood) == 0) break;
+    mend(bench, options.stages);
+  }
+  if (options.stages.acceptance) drop_unlikely(bench, likelihood);
   return split(sides, patchwork);
 }
 

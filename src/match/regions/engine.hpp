@@ -12,6 +12,8 @@ struct Stages {
   bool seams = true;
   bool slivers = true;
   bool islands = true;
+  bool restarts = true;
+  bool acceptance = true;
 };
 
 struct EngineOptions {

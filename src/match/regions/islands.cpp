@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hops.hpp"
 #include "mending.hpp"
 #include "trial.hpp"
 
@@ -13,9 +14,6 @@ struct Landing {
   Candidate pair;  // by the first half-edge of the source face
   std::uint32_t votes = 0;
 };
-
-/// How far a hop may go.
-constexpr int kMostHops = 2;
 
 class Islands {
  public:
@@ -41,14 +39,6 @@ class Islands {
   [[nodiscard]] bool is_free(FaceId source_face) const { return !bench_.patchwork.is_matched(source_face); }
   [[nodiscard]] bool is_free_target(FaceId target_face) const { return !bench_.patchwork.is_taken(target_face); }
 
-  /// The half-edge across the quad beyond an edge; not valid if there is no free quad.
-  template <class IsFree>
-  static HalfedgeId hop(const Mesh& mesh, HalfedgeId h, IsFree is_free) {
-    const HalfedgeId entry = mesh.twin(h);
-    if (!entry.valid() || mesh.size(mesh.face(entry)) != 4 || !is_free(mesh.face(entry))) return {};
-    return mesh.next(mesh.next(entry));
-  }
-
   void gather_landings() {
     const std::vector<HalfedgeId> history = bench_.patchwork.history();
     PerFace<bool> done(source_.face_count(), false);
@@ -58,29 +48,13 @@ class Islands {
       done[face] = true;
       HalfedgeId s = entry, t = bench_.patchwork.image(entry);
       do {
-        hop_from(s, t);
+        for_each_landing(bench_, {s, t}, [&](Candidate landing) { land(landing); });
         s = source_.next(s);
         t = target_.next(t);
       } while (s != entry);
     }
   }
-  /// Skip quads in one mesh only: those are what the edit put there.
-  void hop_from(HalfedgeId s, HalfedgeId t) {
-    const auto source_free = [&](FaceId f) { return is_free(f); };
-    const auto target_free = [&](FaceId f) { return is_free_target(f); };
-    HalfedgeId over = s;
-    for (int hops = 0; hops < kMostHops && over.valid(); ++hops) {
-      over = hop(source_, over, source_free);
-      if (over.valid()) land({source_.twin(over), target_.twin(t)});
-    }
-    over = t;
-    for (int hops = 0; hops < kMostHops && over.valid(); ++hops) {
-      over = hop(target_, over, target_free);
-      if (over.valid()) land({source_.twin(s), target_.twin(over)});
-    }
-  }
   void land(Candidate pair) {
-    if (!pair.source.valid() || !pair.target.valid()) return;
     const FaceId face = source_.face(pair.source), other = target_.face(pair.target);
     if (!is_free(face) || !is_free_target(other) || source_.size(face) != target_.size(other)) return;
     ++landings_[number_of(normal(pair))].votes;

@@ -19,6 +19,8 @@ struct Workbench {
   Ghost& ghost;
 };
 
+class Likelihood;
+
 /// The entry half-edges of each region's faces, in the order in which they were matched.
 [[nodiscard]] std::vector<std::vector<HalfedgeId>> faces_by_region(const Workbench& bench);
 
@@ -40,5 +42,12 @@ std::size_t match_slivers(Workbench& bench);
 /// Islands: parts cut off by new faces. Hop over one or two unmatched quads of one mesh, and try where one lands.
 /// @return faces matched.
 std::size_t match_islands(Workbench& bench);
+
+/// Restarts: where all else has left large parts free, try faces with rare corners against each other.
+/// @return  faces matched.
+std::size_t restart(Workbench& bench, Likelihood& likelihood);
+
+/// Lift the regions that chance may have brought together. @return faces lifted.
+std::size_t drop_unlikely(Workbench& bench, Likelihood& likelihood);
 
 }  // namespace quadmatch::regions

@@ -1,0 +1,36 @@
+#pragma once
+/// Could chance agree so often? What speaks for a handful of pairs, as a logarithm of likelihoods.
+
+#include <span>
+#include <vector>
+
+#include "mending.hpp"
+
+namespace quadmatch::regions {
+
+class Likelihood {
+ public:
+  /// Count how frequent each vertex code is in both meshes.
+  explicit Likelihood(const Workbench& bench);
+
+  /// The logarithm of how much likelier it is that these pairs are true than that they came together by chance: rare
+  /// codes that agree speak for them, codes that do not and lengths that do not fit against.
+  /// @param pairs  of one region.
+  /// @par Cost     O(#pairs)
+  [[nodiscard]] double of(std::span<const Candidate> pairs);
+
+  /// What chance has to beat: as many places as there are to begin in.
+  [[nodiscard]] double needed_for_trial() const {
+    return bench_.misfit.uses_lengths() ? log_places_ + 2 : 3.2 * log_places_;
+  }
+  [[nodiscard]] double log_places() const { return log_places_; }
+
+ private:
+  const Workbench& bench_;
+  std::vector<double> log_rarity_;  // by code: log(0.9 / share of the vertices that have it)
+  PerVertex<std::uint32_t> seen_;
+  std::uint32_t now_ = 0;
+  double log_places_ = 0;  // log of the number of half-edges, the mean of both meshes
+};
+
+}  // namespace quadmatch::regions

@@ -1,0 +1,156 @@
+// Where neither colours nor neighbours help: faces whose corners have rare codes, tried against those of the other mesh
+// that look alike.
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include "likelihood.hpp"
+#include "mending.hpp"
+#include "trial.hpp"
+
+namespace quadmatch::regions {
+namespace {
+
+/// A trial of this many faces tells; only what is kept grows on.
+constexpr std::size_t kTrialFaces = 400;
+/// Partners tried at most for one half-edge, and half-edges for one look.
+constexpr std::size_t kMostPartners = 24, kMostPerLook = 3;
+/// Faces grown in trials at most, by faces of the source.
+constexpr std::size_t kBudget = 20;
+/// The best trial must beat the next by this much, or be as good as equal to it in what it covers.
+constexpr double kMargin = 1.0;
+
+struct Look {
+  std::uint64_t hash;
+  HalfedgeId halfedge;
+
+  bool operator<(const Look& other) const { return hash != other.hash ? hash < other.hash : halfedge < other.halfedge; }
+};
+
+/// The codes about a face, from a half-edge on: of its corners, and of the far corners of the faces beside it.
+std::uint64_t look_from(const Side& side, HalfedgeId start, bool far) {
+  std::uint64_t codes[32];
+  std::size_t count = 0;
+  HalfedgeId h = start;
+  do {
+    codes[count++] = side.code(side.mesh.origin(h)).value;
+    if (far && count < 30) {
+      const HalfedgeId beside = side.mesh.twin(h);
+      codes[count++] = beside.valid() ? side.code(side.mesh.tip(side.mesh.next(beside))).value : 0;
+      codes[count++] = beside.valid() ? side.code(side.mesh.origin(side.mesh.prev(beside))).value : 0;
+    }
+    h = side.mesh.next(h);
+  } while (h != start && count < 30);
+  return XXH3_64bits(codes, count * sizeof codes[0]);
+}
+
+/// All half-edges at free faces that leave an extraordinary vertex, by how they look.
+template <class IsFree>
+std::vector<Look> looks(const Side& side, bool far, IsFree is_free) {
+  std::vector<Look> result;
+  for (std::uint32_t f = 0; f < side.mesh.face_count(); ++f) {
+    if (!is_free(FaceId(f))) continue;
+    for (const HalfedgeId h : side.mesh.halfedges(FaceId(f))) {
+      if (side.code(side.mesh.origin(h)).extraordinary()) result.push_back({look_from(side, h, far), h});
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// Half-edges of both meshes that look the same: ranges of two sorted lists.
+struct Class {
+  std::size_t source, source_end, target, target_end;
+
+  [[nodiscard]] std::size_t rarity() const { return (source_end - source) * (target_end - target); }
+};
+
+std::vector<Class> rarest_first(const std::vector<Look>& left, const std::vector<Look>& right) {
+  std::vector<Class> classes;
+  for (std::size_t i = 0, j = 0; i < left.size() && j < right.size();) {
+    if (left[i].hash != right[j].hash) {
+      ++(left[i].hash < right[j].hash ? i : j);
+      continue;
+    }
+    Class here{i, i, j, j};
+    while (here.source_end < left.size() && left[here.source_end].hash == left[i].hash) ++here.source_end;
+    while (here.target_end < right.size() && right[here.target_end].hash == left[i].hash) ++here.target_end;
+    classes.push_back(here);
+    i = here.source_end;
+    j = here.target_end;
+  }
+  std::stable_sort(classes.begin(), classes.end(),
+                   [](const Class& a, const Class& b) { return a.rarity() < b.rarity(); });
+  return classes;
+}
+
+class Restarts {
+ public:
+  Restarts(Workbench& bench, Likelihood& likelihood)
+      : bench_(bench), likelihood_(likelihood), budget_(kBudget * bench.sides.source.mesh.face_count()) {}
+
+  std::size_t match() {
+    const std::size_t before = bench_.patchwork.matched_faces();
+    for (const bool far : {true, false}) try_looks(far);
+    bench_.ghost.restart();
+    return bench_.patchwork.matched_faces() - before;
+  }
+
+ private:
+  void try_looks(bool far) {
+    const std::vector<Look> left =
+        looks(bench_.sides.source, far, [&](FaceId f) { return !bench_.patchwork.is_matched(f); });
+    const std::vector<Look> right =
+        looks(bench_.sides.target, far, [&](FaceId f) { return !bench_.patchwork.is_taken(f); });
+    for (const Class& alike : rarest_first(left, right)) {
+      std::size_t tried = 0;
+      for (std::size_t i = alike.source; i < alike.source_end && tried < kMostPerLook; ++i) {
+        if (bench_.patchwork.is_matched(source_.face(left[i].halfedge))) continue;
+        ++tried;
+        if (!try_partners(left[i].halfedge, right, alike)) return;
+      }
+    }
+  }
+
+  /// @return false when the budget is spent.
+  bool try_partners(HalfedgeId s, const std::vector<Look>& right, const Class& alike) {
+    Candidate best{};
+    double worth = 0, next_worth = 0;
+    std::size_t partners = 0;
+    for (std::size_t j = alike.target; j < alike.target_end && partners < kMostPartners; ++j) {
+      const Candidate pair{s, right[j].halfedge};
+      if (!grow_trial(bench_, pair, {.most_faces = kTrialFaces})) continue;
+      ++partners;
+      const double worth_now = likelihood_.of(bench_.ghost.pairs());
+      spent_ += bench_.ghost.pairs().size();
+      if (worth_now > worth) {
+        next_worth = worth;
+        worth = worth_now;
+        best = pair;
+      } else {
+        next_worth = std::max(next_worth, worth_now);
+      }
+      if (spent_ > budget_) return false;
+    }
+    if (worth >= likelihood_.needed_for_trial() && worth >= next_worth + kMargin) {
+      grow_trial(bench_, best, {.most_faces = source_.face_count()});
+      keep_trial(bench_);
+    }
+    return true;
+  }
+
+  Workbench& bench_;
+  Likelihood& likelihood_;
+  const Mesh& source_ = bench_.sides.source.mesh;
+  std::size_t budget_, spent_ = 0;
+};
+
+}  // namespace
+
+std::size_t restart(Workbench& bench, Likelihood& likelihood) { return Restarts(bench, likelihood).match(); }
+
+}  // namespace quadmatch::regions
