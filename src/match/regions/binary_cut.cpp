@@ -6,7 +6,6 @@
 #include <cmath>
 
 // Without exceptions Boost asks its user what to do instead; no path here throws.
-#define _HAS_AUTO_PTR_ETC 0  // the library of some compilers has no std::unary_function any more
 #include <boost/config.hpp>
 #ifdef BOOST_NO_EXCEPTIONS
 #include <cstdlib>

@@ -34,17 +34,30 @@ void grow(const Sides& sides, Fire& fire, const Patchwork& patchwork) {
   fire.drop_unbelievable(kLeastConfidence);
 }
 
+bool has_positions(const Sides& sides) {
+  return !sides.source.mesh.positions().empty() && !sides.target.mesh.positions().empty();
+}
+
 /// Make the costs small: move what lies badly, match what was left over.
-void mend(Workbench& bench, const Stages& stages) {
+void mend(Workbench& bench, const EngineOptions& options) {
+  const Stages& stages = options.stages;
+  const auto move = [&] {
+    if (stages.seams) move_seams(bench);
+  };
   bench.misfit.calibrate(bench.patchwork);
-  if (stages.seams) move_seams(bench);
+  move();
+  if (options.positions && stages.ties && has_positions(bench.sides) && settle_ties(bench) > 0) move();
+  for (int round = 0; round < 2 && stages.slides; ++round) {
+    if (undo_slides(bench) == 0) break;
+    move();
+  }
   drop_misfits(bench);
   if (stages.slivers) match_slivers(bench);
   for (int round = 0; round < 2 && stages.islands; ++round) {
     if (match_islands(bench) == 0) break;
     if (stages.slivers) match_slivers(bench);
   }
-  if (stages.seams) move_seams(bench);
+  move();
   drop_misfits(bench);
   if (stages.slivers) match_slivers(bench);
 }
@@ -70,11 +83,11 @@ std::vector<Piece> match_regions(const Sides& sides, const EngineOptions& option
   Misfit misfit(sides, options.positions);
   Ghost ghost(sides, patchwork);
   Workbench bench{sides, patchwork, misfit, ghost};
-  mend(bench, options.stages);
+  mend(bench, options);
   Likelihood likelihood(bench);
   for (int round = 0; round < kMostRestarts && options.stages.restarts; ++round) {
     if (leaves_little(bench) || restart(bench, likelihood) == 0) break;
-    mend(bench, options.stages);
+    mend(bench, options);
   }
   if (options.stages.acceptance) drop_unlikely(bench, likelihood);
   return split(sides, patchwork);

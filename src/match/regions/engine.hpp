@@ -12,6 +12,8 @@ struct Stages {
   bool seams = true;
   bool slivers = true;
   bool islands = true;
+  bool slides = true;
+  bool ties = true;
   bool restarts = true;
   bool acceptance = true;
 };

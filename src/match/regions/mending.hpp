@@ -43,6 +43,13 @@ std::size_t match_slivers(Workbench& bench);
 /// @return faces matched.
 std::size_t match_islands(Workbench& bench);
 
+/// Slides: offer the map moved by one quad wherever lengths fit badly. @return faces whose partner changed.
+std::size_t undo_slides(Workbench& bench);
+
+/// Exact ties, by positions: where the source, placed as a whole, lands on other faces than it is matched to, offer
+/// those. @return faces whose partner changed. @pre both meshes have positions
+std::size_t settle_ties(Workbench& bench);
+
 /// Restarts: where all else has left large parts free, try faces with rare corners against each other.
 /// @return  faces matched.
 std::size_t restart(Workbench& bench, Likelihood& likelihood);

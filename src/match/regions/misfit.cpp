@@ -9,6 +9,8 @@ namespace {
 /// Lengths say nothing where even the better half of the matched faces differ by a third.
 constexpr double kUseless = 0.35;
 constexpr double kLeastSigma = 0.02;
+/// What an edge's length of distance costs: enough to decide between equals, and no more.
+constexpr double kAway = 0.04;
 
 float log_distance(const Point& a, const Point& b) {
   const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
@@ -21,6 +23,15 @@ double quantile(std::vector<double>& numbers, double share) {
   const auto place = numbers.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(numbers.size() - 1));
   std::nth_element(numbers.begin(), place, numbers.end());
   return *place;
+}
+
+Point middle(const Mesh& mesh, FaceId face) {
+  Point sum = {0, 0, 0};
+  for (const HalfedgeId h : mesh.halfedges(face)) {
+    for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += mesh.positions()[mesh.origin(h).value][axis];
+  }
+  for (double& number : sum) number /= mesh.size(face);
+  return sum;
 }
 
 }  // namespace
@@ -102,10 +113,17 @@ std::uint32_t Misfit::disagreeing_corners(Candidate pair) const {
 
 double Misfit::cost(Candidate pair) const {
   const double disagreeing = disagreeing_corners(pair);
-  if (!uses_lengths_) return std::min(kUnmatched - 0.02, 0.3 * disagreeing);
+  const double away = placement_ ? kAway * std::min(1.0, distance(pair)) : 0;
+  if (!uses_lengths_) return std::min(kUnmatched - 0.02, 0.3 * disagreeing + away);
   const double error = std::min(1.0, length_error(pair) / 3);
   // Where lengths agree a corner may well disagree: the edit is beside this face.
-  return 0.9 * error + 0.15 * disagreeing * (error > 0.3 ? 1.0 : 0.3);
+  return 0.9 * error + 0.15 * disagreeing * (error > 0.3 ? 1.0 : 0.3) + away;
+}
+
+double Misfit::distance(Candidate pair) const {
+  const FaceId q = sides_.source.mesh.face(pair.source), r = sides_.target.mesh.face(pair.target);
+  const Point there = (*placement_)(middle(sides_.source.mesh, q));
+  return std::sqrt(squared_distance(there, middle(sides_.target.mesh, r))) / edge_;
 }
 
 }  // namespace quadmatch::regions

@@ -1,9 +1,11 @@
 #pragma once
 /// How badly a face lies on another: corners that disagree, and edge lengths, which survive posing.
 
+#include <optional>
 #include <vector>
 
 #include "patchwork.hpp"
+#include "similarity.hpp"
 
 namespace quadmatch::regions {
 
@@ -37,6 +39,16 @@ class Misfit {
   /// something.
   void calibrate(const Patchwork& patchwork);
 
+  /// Let distance decide between equals.
+  /// @param placement  of the source in the space of the target; nothing: distances mean nothing.
+  /// @param edge       the length of a target edge, the unit of distance.
+  void place(const std::optional<Similarity>& placement, double edge) {
+    placement_ = placement;
+    edge_ = edge;
+  }
+  /// How far the middle of a face is from that of its image, in edges. @pre placed
+  [[nodiscard]] double distance(Candidate pair) const;
+
   [[nodiscard]] bool uses_lengths() const { return uses_lengths_; }
   /// The root mean square of the differences of log lengths over edges and diagonals, in units of what is usual
   /// (sigma): below 1 is good, above 3 bad. @pre uses_lengths().
@@ -53,6 +65,8 @@ class Misfit {
   bool uses_lengths_ = false;
   double scale_ = 0.0;  // log of target size by source size
   double sigma_ = 1.0;
+  std::optional<Similarity> placement_;
+  double edge_ = 1.0;
 };
 
 }  // namespace quadmatch::regions

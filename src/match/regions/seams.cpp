@@ -1,151 +1,13 @@
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
-#include "binary_cut.hpp"
+#include "expansion.hpp"
 #include "mending.hpp"
 
 namespace quadmatch::regions {
 namespace {
 
 constexpr int kPasses = 2;
-/// How many faces in a row may have lengths that do not fit before a ghost gives up.
-constexpr std::uint32_t kMostBadSteps = 6;
-constexpr double kBadError = 3.0;
-
-struct Step {
-  Candidate pair;
-  std::uint32_t bad_steps;
-};
-
-/// Carry a region's map on beyond its rim.
-class Extension {
- public:
-  Extension(Workbench& bench, const std::vector<HalfedgeId>& faces, std::uint32_t region)
-      : bench_(bench), most_(3 * faces.size() + 3000) {
-    bench_.ghost.restart(region);
-    for (const HalfedgeId entry : faces) {
-      if (bench_.patchwork.region(source_.face(entry)) == region) {
-        push_neighbours({entry, bench_.patchwork.image(entry)}, 0);
-      }
-    }
-    for (std::size_t here = 0; here < steps_.size() && bench_.ghost.pairs().size() < most_; ++here) {
-      take(steps_[here]);
-    }
-  }
-
- private:
-  void push_neighbours(Candidate pair, std::uint32_t bad_steps) {
-    auto [s, t] = pair;
-    do {
-      const Candidate beyond{source_.twin(s), target_.twin(t)};
-      if (beyond.source.valid() && beyond.target.valid() && !bench_.ghost.covers(source_.face(beyond.source))) {
-        steps_.push_back({beyond, bad_steps});
-      }
-      s = source_.next(s);
-      t = target_.next(t);
-    } while (s != pair.source);
-  }
-  void take(Step step) {
-    if (!bench_.ghost.fits(step.pair)) return;
-    if (bench_.misfit.uses_lengths()) {
-      step.bad_steps = bench_.misfit.length_error(step.pair) > kBadError ? step.bad_steps + 1 : 0;
-      if (step.bad_steps > kMostBadSteps) return;
-    }
-    bench_.ghost.accept(step.pair);
-    if (bench_.misfit.disagreeing_corners(step.pair) == 0) push_neighbours(step.pair, step.bad_steps);
-  }
-
-  Workbench& bench_;
-  const Mesh& source_ = bench_.sides.source.mesh;
-  const Mesh& target_ = bench_.sides.target.mesh;
-  std::size_t most_;
-  std::vector<Step> steps_;
-};
-
-/// Which faces of the ghost should join its region?
-class Expansion {
- public:
-  Expansion(Workbench& bench, std::uint32_t region)
-      : bench_(bench), region_(region), cut_(static_cast<std::uint32_t>(bench.ghost.pairs().size())) {}
-
-  std::size_t apply() {
-    const std::vector<Candidate>& pairs = bench_.ghost.pairs();
-    for (std::uint32_t i = 0; i < pairs.size(); ++i) add_face(i, pairs[i]);
-    const std::vector<bool> joins = cut_.solve();
-    std::vector<Candidate> joining;
-    std::size_t changed = 0;
-    for (std::uint32_t i = 0; i < pairs.size(); ++i) {
-      if (!joins[i]) continue;
-      joining.push_back(pairs[i]);
-      changed += !lies_so_now(pairs[i]);
-    }
-    for (const Candidate& pair : joining) {
-      if (const FaceId face = source_.face(pair.source); patchwork_.is_matched(face)) patchwork_.lift(face);
-      if (const FaceId owner = patchwork_.origin(target_.face(pair.target)); owner.valid()) patchwork_.lift(owner);
-    }
-    for (const Candidate& pair : joining) patchwork_.lay(pair, region_);
-    return changed;
-  }
-
- private:
-  [[nodiscard]] bool lies_so_now(Candidate pair) const {
-    return patchwork_.is_matched(source_.face(pair.source)) && patchwork_.image(pair.source) == pair.target;
-  }
-  [[nodiscard]] double cost_now(FaceId face) const {
-    const HalfedgeId first = source_.first(face);
-    return patchwork_.is_matched(face) ? bench_.misfit.cost({first, patchwork_.image(first)}) : Misfit::kUnmatched;
-  }
-  void add_face(std::uint32_t i, Candidate pair) {
-    const FaceId face = source_.face(pair.source);
-    cut_.add_cost(i, cost_now(face), bench_.misfit.cost(pair));
-    const FaceId owner = patchwork_.origin(target_.face(pair.target));
-    if (owner.valid() && owner != face) add_eviction(i, owner);
-    auto [s, t] = pair;
-    do {
-      if (const HalfedgeId beside = source_.twin(s); beside.valid()) add_edge(i, s, t, beside);
-      s = source_.next(s);
-      t = target_.next(t);
-    } while (s != pair.source);
-  }
-  /// Whoever takes a target face leaves its present owner unmatched, unless that joins as well.
-  void add_eviction(std::uint32_t i, FaceId owner) {
-    const double loss = std::max(0.0, Misfit::kUnmatched - cost_now(owner));
-    const std::uint32_t j = bench_.ghost.pair_of(owner);
-    if (j == Ghost::kNone) {
-      cut_.add_cost(i, 0, loss);
-    } else {
-      cut_.add_pair_cost(i, j, 0, 0, loss, 0);
-    }
-  }
-  /// A seam where the half-edges on which both sides of an edge lie are not each other's twins; an unmatched face makes
-  /// none.
-  [[nodiscard]] double seam(HalfedgeId image, HalfedgeId image_beside) const {
-    if (!image.valid() || !image_beside.valid()) return 0;
-    return target_.twin(image) == image_beside ? 0 : Misfit::kSeam;
-  }
-  [[nodiscard]] HalfedgeId image_now(HalfedgeId h) const {
-    return patchwork_.is_matched(source_.face(h)) ? patchwork_.image(h) : HalfedgeId();
-  }
-  void add_edge(std::uint32_t i, HalfedgeId s, HalfedgeId t, HalfedgeId beside) {
-    const std::uint32_t j = bench_.ghost.pair_of(source_.face(beside));
-    const HalfedgeId now = image_now(s), beside_now = image_now(beside);
-    if (j == Ghost::kNone) {
-      cut_.add_cost(i, seam(now, beside_now), seam(t, beside_now));
-    } else if (i < j) {
-      const HalfedgeId beside_then = bench_.ghost.image(beside);
-      cut_.add_pair_cost(i, j, seam(now, beside_now), seam(now, beside_then), seam(t, beside_now),
-                         seam(t, beside_then));
-    }
-  }
-
-  Workbench& bench_;
-  const Mesh& source_ = bench_.sides.source.mesh;
-  const Mesh& target_ = bench_.sides.target.mesh;
-  Patchwork& patchwork_ = bench_.patchwork;
-  std::uint32_t region_;
-  BinaryCut cut_;
-};
 
 }  // namespace
 
@@ -155,8 +17,8 @@ std::size_t move_seams(Workbench& bench) {
     const std::vector<std::vector<HalfedgeId>> faces = faces_by_region(bench);
     std::size_t changed_now = 0;
     for (const std::uint32_t region : largest_first(faces)) {
-      const Extension extension(bench, faces[region], region);
-      if (!bench.ghost.pairs().empty()) changed_now += Expansion(bench, region).apply();
+      extend_region(bench, faces[region], region);
+      changed_now += expand(bench, region);
     }
     changed += changed_now;
     if (changed_now == 0) break;

@@ -1,0 +1,24 @@
+#pragma once
+/// An expansion move (Boykov, Veksler & Zabih 2001): carry a map on as a ghost, over faces that others have, and let a
+/// minimum cut say which of them are better off with it.
+
+#include <cstddef>
+#include <vector>
+
+#include "mending.hpp"
+
+namespace quadmatch::regions {
+
+/// Carry a region's map on beyond its rim, in the bench's ghost.
+/// @param faces  entry half-edges of its faces; those that are no longer in it are passed over.
+void extend_region(Workbench& bench, const std::vector<HalfedgeId>& faces, std::uint32_t region);
+
+/// Grow a map from one pair, whoever has the faces. @return false if the pair does not fit at all.
+bool extend_seed(Workbench& bench, Candidate seed, std::size_t most_faces);
+
+/// Give those faces of the ghost to a region that are better off with it.
+/// @return  faces whose partner changed.
+/// @par Cost  that of a minimum cut over the ghost's faces.
+std::size_t expand(Workbench& bench, std::uint32_t region);
+
+}  // namespace quadmatch::regions

@@ -1,0 +1,155 @@
+// The one source file that includes Eigen.
+
+#include "placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+namespace quadmatch::regions {
+namespace {
+
+constexpr std::size_t kMostRegions = 8;
+/// Vertices a similarity is judged by.
+constexpr std::size_t kSamples = 500;
+constexpr double kLands = 0.15;  // in edges
+constexpr double kLeastShare = 0.3;
+
+Similarity as_similarity(const Eigen::Matrix4d& matrix) {
+  Similarity similarity;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) similarity.linear[row][column] = matrix(row, column);
+    similarity.shift[row] = matrix(row, 3);
+  }
+  return similarity;
+}
+
+/// The similarity that brings the vertices of some faces nearest to their images (Umeyama 1991).
+std::optional<Similarity> fit(const Workbench& bench, const std::vector<HalfedgeId>& entries) {
+  const Mesh& source = bench.sides.source.mesh;
+  const Mesh& target = bench.sides.target.mesh;
+  const std::size_t step = std::max<std::size_t>(1, entries.size() / kSamples);
+  const auto count = static_cast<Eigen::Index>((entries.size() + step - 1) / step);
+  if (count < 3) return std::nullopt;
+  Eigen::Matrix3Xd from(3, count), to(3, count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const HalfedgeId entry = entries[static_cast<std::size_t>(k) * step];
+    const Point& p = source.positions()[source.origin(entry).value];
+    const Point& q = target.positions()[target.origin(bench.patchwork.image(entry)).value];
+    for (int axis = 0; axis < 3; ++axis) {
+      from(axis, k) = p[axis];
+      to(axis, k) = q[axis];
+    }
+  }
+  const Eigen::Matrix4d matrix = Eigen::umeyama(from, to, true);
+  if (!matrix.allFinite()) return std::nullopt;
+  return as_similarity(matrix);
+}
+
+/// The share of the source's vertices that land near a vertex of the target. Judging by what is matched would confirm
+/// the wrong half of a symmetric model.
+double share_that_lands(const Workbench& bench, const Similarity& similarity, const VertexGrid& grid, double reach) {
+  const std::span<const Point> positions = bench.sides.source.mesh.positions();
+  const std::size_t step = std::max<std::size_t>(1, positions.size() / kSamples);
+  std::size_t tried = 0, landed = 0;
+  for (std::size_t v = 0; v < positions.size(); v += step) {
+    ++tried;
+    landed += grid.any_within(similarity(positions[v]), reach);
+  }
+  return tried == 0 ? 0 : static_cast<double>(landed) / static_cast<double>(tried);
+}
+
+}  // namespace
+
+VertexGrid::VertexGrid(const Mesh& mesh, double cell) : mesh_(mesh), cell_(cell) {
+  const std::span<const Point> positions = mesh.positions();
+  vertices_.reserve(positions.size());
+  for (std::uint32_t v = 0; v < positions.size(); ++v) {
+    vertices_.emplace_back(key_of(cell_of(positions[v])), VertexId(v));
+  }
+  std::sort(vertices_.begin(), vertices_.end());
+}
+
+VertexGrid::Cell VertexGrid::cell_of(const Point& p) const {
+  Cell cell;
+  constexpr double kFar = 1e15;  // beyond, all is one cell: no mesh of sense is that wide
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    cell[axis] = static_cast<std::int64_t>(std::clamp(std::floor(p[axis] / cell_), -kFar, kFar));
+  }
+  return cell;
+}
+
+/// Cells may share a key; what is found is measured anyway.
+std::uint64_t VertexGrid::key_of(const Cell& cell) {
+  std::uint64_t key = 0;
+  for (const std::int64_t number : cell) key = (key ^ static_cast<std::uint64_t>(number)) * 0x9e3779b97f4a7c15U;
+  return key;
+}
+
+template <class Visit>
+void VertexGrid::near(const Point& p, double distance, Visit visit) const {
+  const Cell low = cell_of({p[0] - distance, p[1] - distance, p[2] - distance});
+  const Cell high = cell_of({p[0] + distance, p[1] + distance, p[2] + distance});
+  for (std::int64_t x = low[0]; x <= high[0]; ++x) {
+    for (std::int64_t y = low[1]; y <= high[1]; ++y) {
+      for (std::int64_t z = low[2]; z <= high[2]; ++z) {
+        const std::uint64_t key = key_of({x, y, z});
+        for (auto it = std::lower_bound(vertices_.begin(), vertices_.end(), std::pair(key, VertexId(0)));
+             it != vertices_.end() && it->first == key; ++it) {
+          const double away = squared_distance(mesh_.positions()[it->second.value], p);
+          if (away <= distance * distance) visit(it->second, away);
+        }
+      }
+    }
+  }
+}
+
+VertexId VertexGrid::nearest(const Point& p, double distance) const {
+  VertexId best;
+  double least = 0;
+  near(p, distance, [&](VertexId v, double away) {
+    if (best.valid() && away >= least) return;
+    best = v;
+    least = away;
+  });
+  return best;
+}
+
+bool VertexGrid::any_within(const Point& p, double distance) const { return nearest(p, distance).valid(); }
+
+double mean_edge(const Mesh& mesh) {
+  double sum = 0;
+  for (std::uint32_t number = 0; number < mesh.halfedge_count(); ++number) {
+    const HalfedgeId h(number);
+    sum += std::sqrt(squared_distance(mesh.positions()[mesh.origin(h).value], mesh.positions()[mesh.tip(h).value]));
+  }
+  return mesh.halfedge_count() == 0 ? 0 : sum / mesh.halfedge_count();
+}
+
+std::optional<Similarity> find_placement(const Workbench& bench, const VertexGrid& target_grid, double edge) {
+  std::vector<Similarity> candidates{Similarity()};
+  const auto add = [&](const std::vector<HalfedgeId>& entries) {
+    if (const std::optional<Similarity> found = fit(bench, entries)) candidates.push_back(*found);
+  };
+  const std::vector<std::vector<HalfedgeId>> faces = faces_by_region(bench);
+  std::vector<HalfedgeId> all;
+  std::size_t taken = 0;
+  for (const std::uint32_t region : largest_first(faces)) {
+    all.insert(all.end(), faces[region].begin(), faces[region].end());
+    if (taken++ < kMostRegions) add(faces[region]);
+  }
+  add(all);
+  std::optional<Similarity> best;
+  double most = kLeastShare;
+  for (const Similarity& candidate : candidates) {
+    const double share = share_that_lands(bench, candidate, target_grid, kLands * edge);
+    if (share >= most + (best ? 0.01 : 0)) {
+      best = candidate;
+      most = share;
+    }
+  }
+  return best;
+}
+
+}  // namespace quadmatch::regions

@@ -1,0 +1,96 @@
+// Slides: a ring matched one step round is as sound as the right one, and only lengths tell. Where faces fit badly, the
+// map moved by one quad in each direction is offered.
+
+#include <cstdint>
+#include <vector>
+
+#include "expansion.hpp"
+#include "mending.hpp"
+
+namespace quadmatch::regions {
+namespace {
+
+constexpr double kBad = 3.0;  // in sigma
+constexpr int kMostSeeds = 48;
+constexpr std::size_t kGhostFaces = 20000;
+/// A shift is tried where it lets the error about a face fall to this share.
+constexpr double kFalls = 0.8;
+
+class Slides {
+ public:
+  explicit Slides(Workbench& bench) : bench_(bench), tried_(source_.face_count(), false) {}
+
+  std::size_t undo() {
+    std::size_t changed = 0;
+    int seeds = 0;
+    const std::vector<HalfedgeId> history = bench_.patchwork.history();
+    for (const HalfedgeId entry : history) {
+      if (!is_bad(entry) || tried_[source_.face(entry)]) continue;
+      for (const Candidate& shifted : better_shifts(entry)) {
+        if (++seeds > kMostSeeds) return changed;
+        changed += lay(shifted);
+      }
+    }
+    return changed;
+  }
+
+ private:
+  [[nodiscard]] bool is_bad(HalfedgeId entry) const {
+    return bench_.patchwork.is_matched(source_.face(entry)) &&
+           bench_.misfit.length_error({entry, bench_.patchwork.image(entry)}) > kBad;
+  }
+  [[nodiscard]] std::vector<Candidate> better_shifts(HalfedgeId entry) const {
+    const Candidate now{entry, bench_.patchwork.image(entry)};
+    const double error = error_about(now);
+    std::vector<Candidate> shifts;
+    HalfedgeId s = now.source, t = now.target;
+    do {
+      const HalfedgeId beyond = target_.twin(t);
+      if (beyond.valid() && target_.size(target_.face(beyond)) == 4 && source_.size(source_.face(s)) == 4) {
+        const Candidate shifted{s, target_.next(target_.next(beyond))};
+        if (error_about(shifted) < kFalls * error) shifts.push_back(shifted);
+      }
+      s = source_.next(s);
+      t = target_.next(t);
+    } while (s != now.source);
+    return shifts;
+  }
+  /// The mean error of a pair and of those beside it.
+  [[nodiscard]] double error_about(Candidate pair) const {
+    double sum = bench_.misfit.length_error(pair);
+    int count = 1;
+    auto [s, t] = pair;
+    do {
+      const Candidate beside{source_.twin(s), target_.twin(t)};
+      if (beside.source.valid() && beside.target.valid() &&
+          source_.size(source_.face(beside.source)) == target_.size(target_.face(beside.target))) {
+        sum += bench_.misfit.length_error(beside);
+        ++count;
+      }
+      s = source_.next(s);
+      t = target_.next(t);
+    } while (s != pair.source);
+    return sum / count;
+  }
+  std::size_t lay(Candidate seed) {
+    if (!extend_seed(bench_, seed, kGhostFaces)) return 0;
+    for (const Candidate& pair : bench_.ghost.pairs()) tried_[source_.face(pair.source)] = true;
+    return expand(bench_, bench_.patchwork.fresh_region());
+  }
+
+  Workbench& bench_;
+  const Mesh& source_ = bench_.sides.source.mesh;
+  const Mesh& target_ = bench_.sides.target.mesh;
+  PerFace<bool> tried_;
+};
+
+}  // namespace
+
+std::size_t undo_slides(Workbench& bench) {
+  if (!bench.misfit.uses_lengths()) return 0;
+  const std::size_t changed = Slides(bench).undo();
+  bench.ghost.restart();
+  return changed;
+}
+
+}  // namespace quadmatch::regions

@@ -1,0 +1,100 @@
+// Exact ties: a symmetric part lies as well on itself turned round, and neither corners nor lengths can tell. Where the
+// model did not move, or moved as a whole, positions can.
+
+#include <cstdint>
+#include <vector>
+
+#include "expansion.hpp"
+#include "mending.hpp"
+#include "placement.hpp"
+
+namespace quadmatch::regions {
+namespace {
+
+constexpr int kMostSeeds = 40;
+constexpr std::size_t kGhostFaces = 20000;
+/// A face whose image is farther than this, in edges, is asked whether it lies right.
+constexpr double kFar = 0.3;
+
+class Ties {
+ public:
+  Ties(Workbench& bench, const VertexGrid& grid, const Similarity& placement, double edge)
+      : bench_(bench), grid_(grid), placement_(placement), edge_(edge), tried_(source_.face_count(), false) {}
+
+  std::size_t settle() {
+    std::size_t changed = 0;
+    int seeds = 0;
+    const auto consider = [&](HalfedgeId entry) {
+      if (seeds >= kMostSeeds || tried_[source_.face(entry)] || lies_near(entry)) return;
+      const Candidate seed = nearest_pair(entry);
+      if (!seed.target.valid()) return;
+      ++seeds;
+      changed += lay(seed);
+    };
+    const std::vector<HalfedgeId> history = bench_.patchwork.history();
+    for (const HalfedgeId entry : history) consider(entry);
+    for (std::uint32_t f = 0; f < source_.face_count(); ++f) consider(source_.first(FaceId(f)));
+    return changed;
+  }
+
+ private:
+  [[nodiscard]] bool lies_near(HalfedgeId entry) const {
+    return bench_.patchwork.is_matched(source_.face(entry)) &&
+           bench_.misfit.distance({entry, bench_.patchwork.image(entry)}) < kFar;
+  }
+  /// The target face whose corners are where these land, if there is one.
+  [[nodiscard]] Candidate nearest_pair(HalfedgeId entry) const {
+    const VertexId w = landing(entry);
+    if (!w.valid()) return {};
+    const HalfedgeId some = target_.halfedge(FanId(w.value));
+    if (!some.valid()) return {};
+    for (const HalfedgeId t : target_.outgoing(FanId(w.value))) {
+      if (corners_land(entry, t)) return {entry, t};
+    }
+    return {};
+  }
+  [[nodiscard]] VertexId landing(HalfedgeId s) const {
+    return grid_.nearest(placement_(source_.positions()[source_.origin(s).value]), kFar * edge_);
+  }
+  [[nodiscard]] bool corners_land(HalfedgeId entry, HalfedgeId t) const {
+    if (source_.size(source_.face(entry)) != target_.size(target_.face(t))) return false;
+    HalfedgeId s = entry;
+    do {
+      if (landing(s) != target_.origin(t)) return false;
+      s = source_.next(s);
+      t = target_.next(t);
+    } while (s != entry);
+    return true;
+  }
+  std::size_t lay(Candidate seed) {
+    if (!extend_seed(bench_, seed, kGhostFaces)) return 0;
+    for (const Candidate& pair : bench_.ghost.pairs()) {
+      if (bench_.misfit.distance(pair) < kFar) tried_[source_.face(pair.source)] = true;
+    }
+    return expand(bench_, bench_.patchwork.fresh_region());
+  }
+
+  Workbench& bench_;
+  const VertexGrid& grid_;
+  const Similarity& placement_;
+  double edge_;
+  const Mesh& source_ = bench_.sides.source.mesh;
+  const Mesh& target_ = bench_.sides.target.mesh;
+  PerFace<bool> tried_;
+};
+
+}  // namespace
+
+std::size_t settle_ties(Workbench& bench) {
+  const double edge = mean_edge(bench.sides.target.mesh);
+  if (edge <= 0) return 0;
+  const VertexGrid grid(bench.sides.target.mesh, edge);
+  const std::optional<Similarity> placement = find_placement(bench, grid, edge);
+  bench.misfit.place(placement, edge);
+  if (!placement) return 0;
+  const std::size_t changed = Ties(bench, grid, *placement, edge).settle();
+  bench.ghost.restart();
+  return changed;
+}
+
+}  // namespace quadmatch::regions
