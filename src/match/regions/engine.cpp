@@ -46,7 +46,10 @@ void mend(Workbench& bench, const EngineOptions& options) {
   };
   bench.misfit.calibrate(bench.patchwork);
   move();
-  if (options.positions && stages.ties && has_positions(bench.sides) && settle_ties(bench) > 0) move();
+  if (options.positions && stages.ties && has_positions(bench.sides) && settle_ties(bench) > 0) {
+    bench.misfit.calibrate(bench.patchwork);
+    move();
+  }
   for (int round = 0; round < 2 && stages.slides; ++round) {
     if (undo_slides(bench) == 0) break;
     move();

@@ -7,9 +7,10 @@
 namespace quadmatch::regions {
 namespace {
 
-/// How many faces in a row may have lengths that do not fit before a ghost gives up.
+/// How many faces in a row may fit badly before a ghost gives up.
 constexpr std::uint32_t kMostBadSteps = 6;
-constexpr double kBadError = 3.0;
+constexpr double kBadError = 3.0;     // in sigma
+constexpr double kBadDistance = 0.5;  // in edges
 
 struct Step {
   Candidate pair;
@@ -19,7 +20,8 @@ struct Step {
 /// Lays what fits, nearest first, and stops where corners disagree or lengths long have.
 class Extension {
  public:
-  Extension(Workbench& bench, std::size_t most_faces) : bench_(bench), most_(most_faces) {}
+  Extension(Workbench& bench, std::size_t most_faces, bool near_only = false)
+      : bench_(bench), most_(most_faces), near_only_(near_only) {}
 
   void push_neighbours(Candidate pair, std::uint32_t bad_steps) {
     auto [s, t] = pair;
@@ -41,18 +43,22 @@ class Extension {
  private:
   void take(Step step) {
     if (!bench_.ghost.fits(step.pair)) return;
-    if (bench_.misfit.uses_lengths()) {
-      step.bad_steps = bench_.misfit.length_error(step.pair) > kBadError ? step.bad_steps + 1 : 0;
-      if (step.bad_steps > kMostBadSteps) return;
-    }
+    step.bad_steps = is_bad(step.pair) ? step.bad_steps + 1 : 0;
+    if (step.bad_steps > kMostBadSteps) return;
     bench_.ghost.accept(step.pair);
     if (bench_.misfit.disagreeing_corners(step.pair) == 0) push_neighbours(step.pair, step.bad_steps);
+  }
+
+  [[nodiscard]] bool is_bad(Candidate pair) const {
+    return (bench_.misfit.uses_lengths() && bench_.misfit.length_error(pair) > kBadError) ||
+           (near_only_ && bench_.misfit.distance(pair) > kBadDistance);
   }
 
   Workbench& bench_;
   const Mesh& source_ = bench_.sides.source.mesh;
   const Mesh& target_ = bench_.sides.target.mesh;
   std::size_t most_;
+  bool near_only_;
   std::vector<Step> steps_;
 };
 
@@ -153,10 +159,10 @@ void extend_region(Workbench& bench, const std::vector<HalfedgeId>& faces, std::
   extension.run();
 }
 
-bool extend_seed(Workbench& bench, Candidate seed, std::size_t most_faces) {
+bool extend_seed(Workbench& bench, Candidate seed, std::size_t most_faces, bool near_only) {
   bench.ghost.restart();
   if (!bench.ghost.fits(seed)) return false;
-  Extension extension(bench, most_faces);
+  Extension extension(bench, most_faces, near_only);
   bench.ghost.accept(seed);
   extension.push_neighbours(seed, 0);
   extension.run();

@@ -13,8 +13,10 @@ namespace quadmatch::regions {
 /// @param faces  entry half-edges of its faces; those that are no longer in it are passed over.
 void extend_region(Workbench& bench, const std::vector<HalfedgeId>& faces, std::uint32_t region);
 
-/// Grow a map from one pair, whoever has the faces. @return false if the pair does not fit at all.
-bool extend_seed(Workbench& bench, Candidate seed, std::size_t most_faces);
+/// Grow a map from one pair, whoever has the faces.
+/// @param near_only  give up as well where faces land far from their images. @pre the misfit is placed
+/// @return           false if the pair does not fit at all.
+bool extend_seed(Workbench& bench, Candidate seed, std::size_t most_faces, bool near_only = false);
 
 /// Give those faces of the ghost to a region that are better off with it.
 /// @return  faces whose partner changed.

@@ -11,7 +11,10 @@ namespace quadmatch::regions {
 namespace {
 
 constexpr double kBad = 3.0;  // in sigma
-constexpr int kMostSeeds = 48;
+/// Faces that ghosts may cover in all, by faces of the source.
+constexpr std::size_t kBudget = 6;
+/// What a ghost costs beside its faces.
+constexpr std::size_t kSeed = 16;
 constexpr std::size_t kGhostFaces = 20000;
 /// A shift is tried where it lets the error about a face fall to this share.
 constexpr double kFalls = 0.8;
@@ -22,12 +25,11 @@ class Slides {
 
   std::size_t undo() {
     std::size_t changed = 0;
-    int seeds = 0;
     const std::vector<HalfedgeId> history = bench_.patchwork.history();
     for (const HalfedgeId entry : history) {
       if (!is_bad(entry) || tried_[source_.face(entry)]) continue;
       for (const Candidate& shifted : better_shifts(entry)) {
-        if (++seeds > kMostSeeds) return changed;
+        if (spent_ > budget_) return changed;
         changed += lay(shifted);
       }
     }
@@ -75,6 +77,7 @@ class Slides {
   std::size_t lay(Candidate seed) {
     if (!extend_seed(bench_, seed, kGhostFaces)) return 0;
     for (const Candidate& pair : bench_.ghost.pairs()) tried_[source_.face(pair.source)] = true;
+    spent_ += kSeed + bench_.ghost.pairs().size();
     return expand(bench_, bench_.patchwork.fresh_region());
   }
 
@@ -82,6 +85,7 @@ class Slides {
   const Mesh& source_ = bench_.sides.source.mesh;
   const Mesh& target_ = bench_.sides.target.mesh;
   PerFace<bool> tried_;
+  std::size_t budget_ = kBudget * source_.face_count(), spent_ = 0;
 };
 
 }  // namespace

@@ -11,7 +11,10 @@
 namespace quadmatch::regions {
 namespace {
 
-constexpr int kMostSeeds = 40;
+/// Faces that ghosts may cover in all, by faces of the source.
+constexpr std::size_t kBudget = 6;
+/// What a ghost costs beside its faces.
+constexpr std::size_t kSeed = 16;
 constexpr std::size_t kGhostFaces = 20000;
 /// A face whose image is farther than this, in edges, is asked whether it lies right.
 constexpr double kFar = 0.3;
@@ -23,12 +26,10 @@ class Ties {
 
   std::size_t settle() {
     std::size_t changed = 0;
-    int seeds = 0;
     const auto consider = [&](HalfedgeId entry) {
-      if (seeds >= kMostSeeds || tried_[source_.face(entry)] || lies_near(entry)) return;
+      if (spent_ > budget_ || tried_[source_.face(entry)] || lies_near(entry)) return;
       const Candidate seed = nearest_pair(entry);
       if (!seed.target.valid()) return;
-      ++seeds;
       changed += lay(seed);
     };
     const std::vector<HalfedgeId> history = bench_.patchwork.history();
@@ -67,10 +68,11 @@ class Ties {
     return true;
   }
   std::size_t lay(Candidate seed) {
-    if (!extend_seed(bench_, seed, kGhostFaces)) return 0;
+    if (!extend_seed(bench_, seed, kGhostFaces, true)) return 0;
     for (const Candidate& pair : bench_.ghost.pairs()) {
       if (bench_.misfit.distance(pair) < kFar) tried_[source_.face(pair.source)] = true;
     }
+    spent_ += kSeed + bench_.ghost.pairs().size();
     return expand(bench_, bench_.patchwork.fresh_region());
   }
 
@@ -81,6 +83,7 @@ class Ties {
   const Mesh& source_ = bench_.sides.source.mesh;
   const Mesh& target_ = bench_.sides.target.mesh;
   PerFace<bool> tried_;
+  std::size_t budget_ = kBudget * source_.face_count(), spent_ = 0;
 };
 
 }  // namespace
