@@ -1,5 +1,6 @@
 #include "likelihood.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -7,6 +8,8 @@ namespace quadmatch::regions {
 namespace {
 
 constexpr std::size_t kCodes = 1 << 16;
+/// How often a vertex of a true pair has the same code, edits considered.
+constexpr double kAgrees = 0.9;
 
 void count_codes(const Side& side, std::vector<double>& counts) {
   for (std::uint32_t v = 0; v < side.mesh.vertex_count(); ++v) ++counts[side.code(VertexId(v)).value];
@@ -21,7 +24,8 @@ Likelihood::Likelihood(const Workbench& bench)
   count_codes(bench.sides.source, log_rarity_);
   count_codes(bench.sides.target, log_rarity_);
   const double vertices = static_cast<double>(source.vertex_count()) + target.vertex_count();
-  for (double& count : log_rarity_) count = count > 0 ? std::log(0.9 * vertices / count) : 0;
+  // What is common says little, but never against: that most vertices are regular is no evidence of a mistake.
+  for (double& count : log_rarity_) count = count > 0 ? std::max(0.0, std::log(kAgrees * vertices / count)) : 0;
   log_places_ = 0.5 * (std::log(source.halfedge_count()) + std::log(target.halfedge_count()));
 }
 
@@ -29,7 +33,7 @@ double Likelihood::of(std::span<const Candidate> pairs) {
   ++now_;
   const Mesh& source = bench_.sides.source.mesh;
   const Mesh& target = bench_.sides.target.mesh;
-  const double log_disagrees = std::log(0.1);
+  const double log_disagrees = std::log(1 - kAgrees);
   double sum = 0;
   for (const Candidate& pair : pairs) {
     if (bench_.misfit.uses_lengths()) {
