@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "equal_parts.hpp"
 #include "fire.hpp"
 #include "ignition.hpp"
 #include "likelihood.hpp"
@@ -13,8 +14,7 @@ namespace {
 constexpr double kLeastConfidence = 0.6;
 
 /// Grow from all anchors that colours give, in rounds: what is matched makes others unique.
-void grow(const Sides& sides, Fire& fire, const Patchwork& patchwork) {
-  const ColouredSpokes colours = colour_both(sides);
+void grow(const Sides& sides, const ColouredSpokes& colours, Fire& fire, const Patchwork& patchwork) {
   constexpr int kMostRounds = 4;
   const std::size_t little = sides.source.mesh.face_count() / 500;
   for (int round = 0; round < kMostRounds; ++round) {
@@ -34,10 +34,6 @@ void grow(const Sides& sides, Fire& fire, const Patchwork& patchwork) {
   fire.drop_unbelievable(kLeastConfidence);
 }
 
-bool has_positions(const Sides& sides) {
-  return !sides.source.mesh.positions().empty() && !sides.target.mesh.positions().empty();
-}
-
 /// Make the costs small: move what lies badly, match what was left over.
 void mend(Workbench& bench, const EngineOptions& options) {
   const Stages& stages = options.stages;
@@ -46,7 +42,8 @@ void mend(Workbench& bench, const EngineOptions& options) {
   };
   bench.misfit.calibrate(bench.patchwork);
   move();
-  if (options.positions && stages.ties && has_positions(bench.sides) && settle_ties(bench) > 0) {
+  if (stages.ties) place(bench);
+  if (bench.misfit.is_placed() && settle_ties(bench) > 0) {
     bench.misfit.calibrate(bench.patchwork);
     move();
   }
@@ -73,19 +70,15 @@ bool leaves_little(const Workbench& bench) {
   return 1000 * bench.patchwork.matched_faces() >= 985 * faces;
 }
 
-}  // namespace
-
-std::vector<Piece> match_regions(const Sides& sides, const EngineOptions& options) {
-  Patchwork patchwork(sides.source.mesh, sides.target.mesh);
+/// Everything after the equal parts: fire, and what mends it.
+void match_unequal(Workbench& bench, const ColouredSpokes& colours, EqualParts& equal, const EngineOptions& options) {
   {
-    Fire fire(sides, patchwork);
-    grow(sides, fire, patchwork);
+    Fire fire(bench.sides, bench.patchwork);
+    grow(bench.sides, colours, fire, bench.patchwork);
     fire.settle();
   }
-  split(sides, patchwork);
-  Misfit misfit(sides, options.positions);
-  Ghost ghost(sides, patchwork);
-  Workbench bench{sides, patchwork, misfit, ghost};
+  split(bench.sides, bench.patchwork);
+  equal.lay_repeated();
   mend(bench, options);
   Likelihood likelihood(bench);
   for (int round = 0; round < kMostRestarts && options.stages.restarts; ++round) {
@@ -93,6 +86,22 @@ std::vector<Piece> match_regions(const Sides& sides, const EngineOptions& option
     mend(bench, options);
   }
   if (options.stages.acceptance) drop_unlikely(bench, likelihood);
+}
+
+}  // namespace
+
+std::vector<Piece> match_regions(const Sides& sides, const EngineOptions& options) {
+  Patchwork patchwork(sides.source.mesh, sides.target.mesh);
+  Misfit misfit(sides, options.positions);
+  Ghost ghost(sides, patchwork);
+  Workbench bench{sides, patchwork, misfit, ghost};
+  const ColouredSpokes colours = colour_both(sides);
+  EqualParts equal(bench, colours);
+  equal.lay_single();
+  const auto is_done = [&] {
+    return patchwork.matched_faces() == std::min(sides.source.mesh.face_count(), sides.target.mesh.face_count());
+  };
+  if (!is_done()) match_unequal(bench, colours, equal, options);
   return split(sides, patchwork);
 }
 

@@ -1,6 +1,7 @@
 #include "fire.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace quadmatch::regions {
@@ -47,7 +48,10 @@ Fire::Fire(const Sides& sides, Patchwork& patchwork)
       patchwork_(patchwork),
       source_vertices_(source_.vertex_count()),
       target_vertices_(target_.vertex_count()),
-      distance_(source_.face_count()) {
+      distance_(source_.face_count()),
+      parent_(patchwork.region_count()),
+      accounts_(patchwork.region_count()) {
+  std::iota(parent_.begin(), parent_.end(), 0U);
   for (std::uint32_t v = 0; v < source_.vertex_count(); ++v) {
     source_vertices_[VertexId(v)].code = sides.source.code(VertexId(v));
   }

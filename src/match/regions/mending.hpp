@@ -46,8 +46,11 @@ std::size_t match_islands(Workbench& bench);
 /// Slides: offer the map moved by one quad wherever lengths fit badly. @return faces whose partner changed.
 std::size_t undo_slides(Workbench& bench);
 
+/// Find out where the source lies in the space of the target, for misfit's distances; nowhere, if the model is posed.
+void place(Workbench& bench);
+
 /// Exact ties, by positions: where the source, placed as a whole, lands on other faces than it is matched to, offer
-/// those. @return faces whose partner changed. @pre both meshes have positions
+/// those. @return faces whose partner changed. @pre placed
 std::size_t settle_ties(Workbench& bench);
 
 /// Restarts: where all else has left large parts free, try faces with rare corners against each other.

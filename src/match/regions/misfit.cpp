@@ -19,7 +19,8 @@ float log_distance(const Point& a, const Point& b) {
 }
 
 /// The value that a share of the numbers stay below; reorders them. @pre not empty.
-double quantile(std::vector<double>& numbers, double share) {
+template <class Number>
+Number quantile(std::vector<Number>& numbers, double share) {
   const auto place = numbers.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(numbers.size() - 1));
   std::nth_element(numbers.begin(), place, numbers.end());
   return *place;
@@ -46,15 +47,36 @@ Lengths::Lengths(const Mesh& mesh) : edge_(mesh.halfedge_count()), diagonal_(mes
   }
 }
 
-Misfit::Misfit(const Sides& sides, bool with_positions) : sides_(sides) {
-  if (!with_positions || sides.source.mesh.positions().empty() || sides.target.mesh.positions().empty()) return;
-  lengths_.emplace_back(sides.source.mesh);
-  lengths_.emplace_back(sides.target.mesh);
+float Lengths::median_edge() const {
+  std::vector<float> lengths(edge_.begin(), edge_.end());
+  return quantile(lengths, 0.5);
+}
+
+Misfit::Misfit(const Sides& sides, bool with_positions) : sides_(sides), with_positions_(with_positions) {
+  if (sides.source.mesh.positions().empty() || sides.target.mesh.positions().empty()) with_positions_ = false;
+}
+
+/// Lengths are measured when they are first wanted: where all is equal nobody asks.
+bool Misfit::load_lengths() {
+  if (with_positions_ && lengths_.empty()) {
+    lengths_.reserve(2);
+    lengths_.emplace_back(sides_.source.mesh);
+    lengths_.emplace_back(sides_.target.mesh);
+  }
+  return with_positions_;
+}
+
+void Misfit::assume() {
+  constexpr double kUsualSigma = 0.1;
+  uses_lengths_ = load_lengths();
+  if (!uses_lengths_) return;
+  scale_ = lengths_[1].median_edge() - lengths_[0].median_edge();
+  sigma_ = kUsualSigma;
 }
 
 void Misfit::calibrate(const Patchwork& patchwork) {
   uses_lengths_ = false;
-  if (lengths_.empty() || patchwork.matched_faces() == 0) return;
+  if (patchwork.matched_faces() == 0 || !load_lengths()) return;
   const Mesh& source = sides_.source.mesh;
   std::vector<double> ratios, errors;
   for (std::uint32_t f = 0; f < source.face_count(); ++f) {
@@ -124,6 +146,10 @@ double Misfit::distance(Candidate pair) const {
   const FaceId q = sides_.source.mesh.face(pair.source), r = sides_.target.mesh.face(pair.target);
   const Point there = (*placement_)(middle(sides_.source.mesh, q));
   return std::sqrt(squared_distance(there, middle(sides_.target.mesh, r))) / edge_;
+}
+
+double Misfit::distance(const Point& source, const Point& target) const {
+  return std::sqrt(squared_distance((*placement_)(source), target)) / edge_;
 }
 
 }  // namespace quadmatch::regions

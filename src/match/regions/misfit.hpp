@@ -18,6 +18,8 @@ class Lengths {
   [[nodiscard]] float edge(HalfedgeId h) const { return edge_[h]; }
   /// From the corner that h leaves to the one after the next.
   [[nodiscard]] float diagonal(HalfedgeId h) const { return diagonal_[h]; }
+  /// The median over all half-edges. @pre there are some
+  [[nodiscard]] float median_edge() const;
 
  private:
   PerHalfedge<float> edge_, diagonal_;
@@ -35,6 +37,8 @@ class Misfit {
   /// @param with_positions  false: lengths are never looked at.
   Misfit(const Sides& sides, bool with_positions);
 
+  /// Take lengths as they come, where nothing is matched yet to learn from: both models of one size, but for a scale.
+  void assume();
   /// Learn from what is matched how far lengths differ where faces are the same; they are used only where that says
   /// something.
   void calibrate(const Patchwork& patchwork);
@@ -46,8 +50,15 @@ class Misfit {
     placement_ = placement;
     edge_ = edge;
   }
-  /// How far the middle of a face is from that of its image, in edges. @pre placed
+  [[nodiscard]] bool is_placed() const { return placement_.has_value(); }
+  [[nodiscard]] const std::optional<Similarity>& placement() const { return placement_; }
+  [[nodiscard]] double edge() const { return edge_; }
+  /// Are there positions, and may they be looked at?
+  [[nodiscard]] bool may_use_positions() const { return with_positions_; }
+  /// How far the middle of a face is from that of its image, in edges. @pre is_placed()
   [[nodiscard]] double distance(Candidate pair) const;
+  /// How far a point of the source lands from one of the target, in edges. @pre is_placed()
+  [[nodiscard]] double distance(const Point& source, const Point& target) const;
 
   [[nodiscard]] bool uses_lengths() const { return uses_lengths_; }
   /// The root mean square of the differences of log lengths over edges and diagonals, in units of what is usual
@@ -59,9 +70,11 @@ class Misfit {
 
  private:
   [[nodiscard]] double raw_error(Candidate pair) const;
+  [[nodiscard]] bool load_lengths();
 
   const Sides& sides_;
-  std::vector<Lengths> lengths_;  // source and target, or none
+  bool with_positions_;
+  std::vector<Lengths> lengths_;  // source and target, once they are asked for
   bool uses_lengths_ = false;
   double scale_ = 0.0;  // log of target size by source size
   double sigma_ = 1.0;

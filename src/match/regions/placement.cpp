@@ -152,4 +152,12 @@ std::optional<Similarity> find_placement(const Workbench& bench, const VertexGri
   return best;
 }
 
+void place(Workbench& bench) {
+  bench.misfit.place(std::nullopt, 1.0);
+  if (!bench.misfit.may_use_positions()) return;
+  const double edge = mean_edge(bench.sides.target.mesh);
+  if (edge <= 0) return;
+  bench.misfit.place(find_placement(bench, VertexGrid(bench.sides.target.mesh, edge), edge), edge);
+}
+
 }  // namespace quadmatch::regions

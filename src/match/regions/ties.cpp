@@ -21,8 +21,12 @@ constexpr double kFar = 0.3;
 
 class Ties {
  public:
-  Ties(Workbench& bench, const VertexGrid& grid, const Similarity& placement, double edge)
-      : bench_(bench), grid_(grid), placement_(placement), edge_(edge), tried_(source_.face_count(), false) {}
+  explicit Ties(Workbench& bench)
+      : bench_(bench),
+        placement_(*bench.misfit.placement()),
+        edge_(bench.misfit.edge()),
+        grid_(bench.sides.target.mesh, edge_),
+        tried_(source_.face_count(), false) {}
 
   std::size_t settle() {
     std::size_t changed = 0;
@@ -77,9 +81,9 @@ class Ties {
   }
 
   Workbench& bench_;
-  const VertexGrid& grid_;
-  const Similarity& placement_;
+  Similarity placement_;
   double edge_;
+  VertexGrid grid_;
   const Mesh& source_ = bench_.sides.source.mesh;
   const Mesh& target_ = bench_.sides.target.mesh;
   PerFace<bool> tried_;
@@ -89,13 +93,7 @@ class Ties {
 }  // namespace
 
 std::size_t settle_ties(Workbench& bench) {
-  const double edge = mean_edge(bench.sides.target.mesh);
-  if (edge <= 0) return 0;
-  const VertexGrid grid(bench.sides.target.mesh, edge);
-  const std::optional<Similarity> placement = find_placement(bench, grid, edge);
-  bench.misfit.place(placement, edge);
-  if (!placement) return 0;
-  const std::size_t changed = Ties(bench, grid, *placement, edge).settle();
+  const std::size_t changed = Ties(bench).settle();
   bench.ghost.restart();
   return changed;
 }

@@ -1,0 +1,244 @@
+#include "equal_parts.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "trial.hpp"
+
+namespace quadmatch::regions {
+namespace {
+
+/// Faces grown in trials at most, by faces of the source.
+constexpr std::size_t kBudget = 12;
+/// Maps of one part that are tried at most.
+constexpr std::size_t kMostWays = 64;
+
+/// Mixes a number well, so that sums of such numbers tell multisets apart.
+std::uint64_t mixed(std::uint64_t x) {
+  x = (x ^ (x >> 31)) * 0x7fb5d329728ea185U;
+  x = (x ^ (x >> 27)) * 0x81dadef4bc2dd44dU;
+  return x ^ (x >> 33);
+}
+
+}  // namespace
+
+std::vector<EqualParts::Part> EqualParts::parts_of(const Side& side, const SpokeColours& colours) {
+  const Components components = connected_components(side.mesh);
+  std::vector<Part> parts(components.face_count.size());
+  std::vector<std::uint32_t> corners(parts.size(), 0);
+  for (std::uint32_t f = 0; f < side.mesh.face_count(); ++f) {
+    Part& part = parts[components.of_face[FaceId(f)]];
+    if (part.faces++ == 0) part.first_face = FaceId(f);
+    std::uint64_t open = 0;
+    for (const HalfedgeId h : side.mesh.halfedges(FaceId(f))) {
+      open += !side.mesh.twin(h).valid();
+      if (side.mesh.positions().empty()) continue;
+      const Point& p = side.mesh.positions()[side.mesh.origin(h).value];
+      for (std::size_t axis = 0; axis < 3; ++axis) part.middle[axis] += p[axis];
+    }
+    corners[components.of_face[FaceId(f)]] += side.mesh.size(FaceId(f));
+    part.signature += mixed(side.mesh.size(FaceId(f)) * 64 + open);
+  }
+  for (std::uint32_t spoke = 0; spoke < side.separatrices.spokes.size(); ++spoke) {
+    const HalfedgeId start = side.separatrices.spokes[spoke].start.halfedge;
+    Part& part = parts[components.of_face[side.mesh.face(start)]];
+    part.signature += mixed(colours.rounds.back()[spoke]);
+    part.spokes.push_back(spoke);
+  }
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    for (double& number : parts[k].middle) number /= corners[k];
+  }
+  return parts;
+}
+
+EqualParts::EqualParts(Workbench& bench, const ColouredSpokes& colours)
+    : bench_(bench),
+      colours_(colours),
+      source_parts_(parts_of(bench.sides.source, colours.source_with_lengths)),
+      target_parts_(parts_of(bench.sides.target, colours.target_with_lengths)),
+      budget_(kBudget * bench.sides.source.mesh.face_count()) {
+  using Entry = std::tuple<std::uint64_t, std::uint32_t, std::uint32_t>;  // signature, faces, part
+  const auto sorted = [](const std::vector<Part>& parts) {
+    std::vector<Entry> entries;
+    for (std::uint32_t k = 0; k < parts.size(); ++k) entries.emplace_back(parts[k].signature, parts[k].faces, k);
+    std::sort(entries.begin(), entries.end());
+    return entries;
+  };
+  const std::vector<Entry> left = sorted(source_parts_), right = sorted(target_parts_);
+  const auto same = [](const Entry& a, const Entry& b) {
+    return std::get<0>(a) == std::get<0>(b) && std::get<1>(a) == std::get<1>(b);
+  };
+  for (std::size_t i = 0, j = 0; i < left.size() && j < right.size();) {
+    if (!same(left[i], right[j])) {
+      ++(left[i] < right[j] ? i : j);
+      continue;
+    }
+    Class equal;
+    const Entry first = left[i];
+    for (; i < left.size() && same(left[i], first); ++i) equal.source.push_back(std::get<2>(left[i]));
+    for (; j < right.size() && same(right[j], first); ++j) equal.target.push_back(std::get<2>(right[j]));
+    classes_.push_back(std::move(equal));
+  }
+  // The largest first: they say most about where the rest lies.
+  std::stable_sort(classes_.begin(), classes_.end(), [&](const Class& a, const Class& b) {
+    return source_parts_[a.source.front()].faces > source_parts_[b.source.front()].faces;
+  });
+}
+
+/// Where a map of the part may begin: a spoke of the rarest colour, on each that is like it. Without any, an arbitrary
+/// half-edge, on each of the other part.
+std::vector<Candidate> EqualParts::seeds(const Part& part, const Part& other) const {
+  const Side& source = bench_.sides.source;
+  const Side& target = bench_.sides.target;
+  std::vector<Candidate> result;
+  if (part.spokes.empty()) {
+    const HalfedgeId s = source.mesh.first(part.first_face);
+    std::vector<FaceId> faces{other.first_face};
+    PerFace<bool> listed(target.mesh.face_count(), false);
+    listed[other.first_face] = true;
+    for (std::size_t here = 0; here < faces.size() && result.size() < kMostWays; ++here) {
+      for (const HalfedgeId t : target.mesh.halfedges(faces[here])) {
+        result.push_back({s, t});
+        const HalfedgeId beside = target.mesh.twin(t);
+        if (!beside.valid() || listed[target.mesh.face(beside)]) continue;
+        listed[target.mesh.face(beside)] = true;
+        faces.push_back(target.mesh.face(beside));
+      }
+    }
+    return result;
+  }
+  const std::vector<Colour>& colours = colours_.source_with_lengths.rounds.back();
+  std::vector<std::pair<Colour, std::uint32_t>> sorted;
+  for (const std::uint32_t spoke : part.spokes) sorted.emplace_back(colours[spoke], spoke);
+  std::sort(sorted.begin(), sorted.end());
+  std::size_t rarest = 0, fewest = sorted.size() + 1;
+  for (std::size_t k = 0; k < sorted.size();) {
+    std::size_t end = k;
+    while (end < sorted.size() && sorted[end].first == sorted[k].first) ++end;
+    if (end - k < fewest) {
+      fewest = end - k;
+      rarest = k;
+    }
+    k = end;
+  }
+  const Dart start = source.separatrices.spokes[sorted[rarest].second].start;
+  for (const std::uint32_t spoke : other.spokes) {
+    const Dart end = target.separatrices.spokes[spoke].start;
+    const bool alike = colours_.target_with_lengths.rounds.back()[spoke] == sorted[rarest].first;
+    if (alike && start.backward == end.backward) result.push_back({start.halfedge, end.halfedge});
+  }
+  return result;
+}
+
+/// Does the map that begins here cover the part with all corners agreeing?
+bool EqualParts::fills(Candidate seed, const Part& part) {
+  const bool grown =
+      grow_trial(bench_, seed, {.most_faces = part.faces, .worst_error = 1e30, .cover_disagreeing = false});
+  spent_ += 16 + (grown ? bench_.ghost.pairs().size() : 0);
+  return grown && bench_.ghost.pairs().size() == part.faces;
+}
+
+/// How well positions like the map in the ghost; 0 where they do not matter.
+double EqualParts::worth_of_ghost() const {
+  double sum = 0;
+  for (const Candidate& pair : bench_.ghost.pairs()) {
+    if (bench_.misfit.uses_lengths()) sum -= std::min(10.0, bench_.misfit.length_error(pair));
+    if (bench_.misfit.is_placed()) sum -= std::min(10.0, bench_.misfit.distance(pair));
+  }
+  return sum / static_cast<double>(bench_.ghost.pairs().size());
+}
+
+/// Positions are looked at where there is a choice, and only then.
+void EqualParts::look_at_positions() {
+  if (looked_) return;
+  looked_ = true;
+  if (bench_.patchwork.matched_faces() > 0) {
+    bench_.misfit.calibrate(bench_.patchwork);
+  } else {
+    bench_.misfit.assume();
+  }
+  place(bench_);
+}
+
+EqualParts::Laying EqualParts::best_laying(const Part& part, const Part& other) {
+  constexpr double kClear = 0.01;
+  Laying laying;
+  double best = 0, worst = 0;
+  const std::vector<Candidate> places = seeds(part, other);
+  if (places.size() > 1) look_at_positions();
+  for (const Candidate& seed : places) {
+    if (laying.ways >= kMostWays || (laying.ways > 0 && spent_ > budget_)) break;
+    laying.in_ghost = false;
+    if (!fills(seed, part)) continue;
+    const double worth = worth_of_ghost();
+    if (laying.ways++ == 0 || worth > best) {
+      laying.seed = seed;
+      laying.in_ghost = true;
+      best = worth;
+    }
+    worst = laying.ways == 1 ? worth : std::min(worst, worth);
+  }
+  laying.by_positions = laying.ways > 1 && best > worst + kClear;
+  return laying;
+}
+
+std::size_t EqualParts::lay(const Part& part, const Part& other, std::uint32_t equals) {
+  const Laying laying = best_laying(part, other);
+  if (laying.ways == 0 || (!laying.in_ghost && !fills(laying.seed, part))) return 0;
+  keep_trial(bench_);
+  const std::uint32_t ways = laying.ways * equals;
+  const bool placed = equals == 1 || bench_.misfit.is_placed();
+  if (ways > 1) ties_.push_back({part.first_face, ways, placed && (laying.ways == 1 || laying.by_positions)});
+  return part.faces;
+}
+
+std::size_t EqualParts::lay_single() {
+  std::size_t matched = 0;
+  for (const Class& equal : classes_) {
+    if (equal.source.size() != 1 || equal.target.size() != 1) continue;
+    matched += lay(source_parts_[equal.source[0]], target_parts_[equal.target[0]], 1);
+  }
+  bench_.ghost.restart();
+  return matched;
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> EqualParts::nearest_pairs(const Class& equal) const {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  // All against all is too much for thousands of bolts: those are taken as they come.
+  constexpr std::size_t kMostDistances = 1 << 20;
+  if (!bench_.misfit.is_placed() || equal.source.size() * equal.target.size() > kMostDistances) {
+    for (std::size_t k = 0; k < std::min(equal.source.size(), equal.target.size()); ++k) {
+      pairs.emplace_back(equal.source[k], equal.target[k]);
+    }
+    return pairs;
+  }
+  std::vector<std::tuple<double, std::uint32_t, std::uint32_t>> by_distance;
+  for (const std::uint32_t i : equal.source) {
+    for (const std::uint32_t j : equal.target) {
+      by_distance.emplace_back(bench_.misfit.distance(source_parts_[i].middle, target_parts_[j].middle), i, j);
+    }
+  }
+  std::sort(by_distance.begin(), by_distance.end());
+  for (const auto& [distance, i, j] : by_distance) pairs.emplace_back(i, j);
+  return pairs;
+}
+
+std::size_t EqualParts::lay_repeated() {
+  std::size_t matched = 0;
+  looked_ = false;  // more is matched now
+  for (const Class& equal : classes_) {
+    if (equal.source.size() == 1 && equal.target.size() == 1) continue;
+    look_at_positions();
+    const auto equals = static_cast<std::uint32_t>(std::max(equal.source.size(), equal.target.size()));
+    for (const auto& [i, j] : nearest_pairs(equal)) {
+      const Part& part = source_parts_[i];
+      const Part& other = target_parts_[j];
+      if (bench_.patchwork.is_matched(part.first_face) || bench_.patchwork.is_taken(other.first_face)) continue;
+      matched += lay(part, other, equals);
+    }
+  }
+  bench_.ghost.restart();
+  return matched;
+}
+
+}  // namespace quadmatch::regions

@@ -1,0 +1,78 @@
+#pragma once
+/// Components that are the same in both meshes, down to the last corner: laid on each other whole, before anything
+/// burns. Eyes, teeth, bolts: where several are equal, positions say which is which, or nobody can.
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <quadmatch/mesh/components.hpp>
+
+#include "ignition.hpp"
+#include "mending.hpp"
+
+namespace quadmatch::regions {
+
+/// A part that could be laid in more ways than one.
+struct Tie {
+  FaceId face;                ///< of the source, in the part
+  std::uint32_t ways = 1;     ///< how many maps are as good; at least so many where counting them all would take long
+  bool by_positions = false;  ///< positions chose among them
+};
+
+class EqualParts {
+ public:
+  /// @param bench    nothing need be matched yet.
+  /// @param colours  of the spokes of both meshes.
+  /// @par Cost       O(#corners).
+  EqualParts(Workbench& bench, const ColouredSpokes& colours);
+
+  /// Lay every component that has exactly one equal in each mesh. @return faces matched.
+  std::size_t lay_single();
+  /// Lay equal components of which there are several: the nearest first where positions say where they lie, else in
+  /// the order in which they come. @return faces matched.
+  std::size_t lay_repeated();
+
+  [[nodiscard]] const std::vector<Tie>& ties() const { return ties_; }
+
+ private:
+  /// A component of one mesh and all that an equal one shares with it.
+  struct Part {
+    std::uint64_t signature = 0;
+    std::uint32_t faces = 0;
+    FaceId first_face;
+    Point middle = {0, 0, 0};  ///< of all corners, where there are positions
+    std::vector<std::uint32_t> spokes;
+  };
+  /// Parts of both meshes that look equal.
+  struct Class {
+    std::vector<std::uint32_t> source, target;
+  };
+  /// A map of a whole part.
+  struct Laying {
+    Candidate seed;
+    std::uint32_t ways = 0;
+    bool by_positions = false;
+    bool in_ghost = false;  ///< it was the last that was grown
+  };
+
+  [[nodiscard]] static std::vector<Part> parts_of(const Side& side, const SpokeColours& colours);
+  [[nodiscard]] std::vector<Candidate> seeds(const Part& part, const Part& other) const;
+  [[nodiscard]] bool fills(Candidate seed, const Part& part);
+  [[nodiscard]] Laying best_laying(const Part& part, const Part& other);
+  [[nodiscard]] double worth_of_ghost() const;
+  std::size_t lay(const Part& part, const Part& other, std::uint32_t equals);
+  /// Pairs of a class's members, the nearest first.
+  [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> nearest_pairs(const Class& equal) const;
+  void look_at_positions();
+
+  Workbench& bench_;
+  const ColouredSpokes& colours_;
+  std::vector<Part> source_parts_, target_parts_;
+  std::vector<Class> classes_;
+  std::vector<Tie> ties_;
+  bool looked_ = false;
+  std::size_t budget_, spent_ = 0;
+};
+
+}  // namespace quadmatch::regions
