@@ -46,9 +46,15 @@ class Extension {
     step.bad_steps = is_bad(step.pair) ? step.bad_steps + 1 : 0;
     if (step.bad_steps > kMostBadSteps) return;
     bench_.ghost.accept(step.pair);
+    // What lies so already has nothing to gain, nor has what is beyond it.
+    if (lies_so_now(step.pair)) return;
     if (bench_.misfit.disagreeing_corners(step.pair) == 0) push_neighbours(step.pair, step.bad_steps);
   }
 
+  [[nodiscard]] bool lies_so_now(Candidate pair) const {
+    return bench_.patchwork.is_matched(source_.face(pair.source)) &&
+           bench_.patchwork.image(pair.source) == pair.target;
+  }
   [[nodiscard]] bool is_bad(Candidate pair) const {
     return (bench_.misfit.uses_lengths() && bench_.misfit.length_error(pair) > kBadError) ||
            (near_only_ && bench_.misfit.distance(pair) > kBadDistance);
