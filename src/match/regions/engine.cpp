@@ -7,6 +7,7 @@
 #include "ignition.hpp"
 #include "likelihood.hpp"
 #include "mending.hpp"
+#include "placement.hpp"
 
 namespace quadmatch::regions {
 namespace {
@@ -98,10 +99,12 @@ std::vector<Piece> match_regions(const Sides& sides, const EngineOptions& option
   const ColouredSpokes colours = colour_both(sides);
   EqualParts equal(bench, colours);
   equal.lay_single();
-  const auto is_done = [&] {
-    return patchwork.matched_faces() == std::min(sides.source.mesh.face_count(), sides.target.mesh.face_count());
-  };
-  if (!is_done()) match_unequal(bench, colours, equal, options);
+  const std::uint32_t most = std::min(sides.source.mesh.face_count(), sides.target.mesh.face_count());
+  if (patchwork.matched_faces() < most) {
+    match_unequal(bench, colours, equal, options);
+  } else if (misfit.may_use_positions() && !lies_well(bench)) {
+    mend(bench, options);
+  }
   return split(sides, patchwork);
 }
 

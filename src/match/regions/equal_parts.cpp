@@ -96,7 +96,7 @@ std::vector<Candidate> EqualParts::seeds(const Part& part, const Part& other) co
     std::vector<FaceId> faces{other.first_face};
     PerFace<bool> listed(target.mesh.face_count(), false);
     listed[other.first_face] = true;
-    for (std::size_t here = 0; here < faces.size() && result.size() < kMostWays; ++here) {
+    for (std::size_t here = 0; here < faces.size(); ++here) {
       for (const HalfedgeId t : target.mesh.halfedges(faces[here])) {
         result.push_back({s, t});
         const HalfedgeId beside = target.mesh.twin(t);
@@ -160,12 +160,31 @@ void EqualParts::look_at_positions() {
   place(bench_);
 }
 
+void EqualParts::nearest_first(std::vector<Candidate>& places) const {
+  const Mesh& source = bench_.sides.source.mesh;
+  const Mesh& target = bench_.sides.target.mesh;
+  std::vector<std::pair<double, std::size_t>> by_distance;
+  for (const auto& [s, t] : places) {
+    const auto distance = [&](VertexId v, VertexId w) {
+      return bench_.misfit.distance(source.positions()[v.value], target.positions()[w.value]);
+    };
+    by_distance.emplace_back(distance(source.origin(s), target.origin(t)) + distance(source.tip(s), target.tip(t)),
+                             by_distance.size());
+  }
+  std::sort(by_distance.begin(), by_distance.end());
+  std::vector<Candidate> sorted;
+  sorted.reserve(places.size());
+  for (const auto& [distance, place] : by_distance) sorted.push_back(places[place]);
+  places = std::move(sorted);
+}
+
 EqualParts::Laying EqualParts::best_laying(const Part& part, const Part& other) {
   constexpr double kClear = 0.01;
   Laying laying;
   double best = 0, worst = 0;
-  const std::vector<Candidate> places = seeds(part, other);
+  std::vector<Candidate> places = seeds(part, other);
   if (places.size() > 1) look_at_positions();
+  if (places.size() > 1 && bench_.misfit.is_placed()) nearest_first(places);
   for (const Candidate& seed : places) {
     if (laying.ways >= kMostWays || (laying.ways > 0 && spent_ > budget_)) break;
     laying.in_ghost = false;

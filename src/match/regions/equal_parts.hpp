@@ -65,6 +65,7 @@ class EqualParts {
   /// Pairs of a class's members, the nearest first.
   [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> nearest_pairs(const Class& equal) const;
   void look_at_positions();
+  void nearest_first(std::vector<Candidate>& places) const;
 
   Workbench& bench_;
   const ColouredSpokes& colours_;

@@ -52,8 +52,7 @@ class Extension {
   }
 
   [[nodiscard]] bool lies_so_now(Candidate pair) const {
-    return bench_.patchwork.is_matched(source_.face(pair.source)) &&
-           bench_.patchwork.image(pair.source) == pair.target;
+    return bench_.patchwork.is_matched(source_.face(pair.source)) && bench_.patchwork.image(pair.source) == pair.target;
   }
   [[nodiscard]] bool is_bad(Candidate pair) const {
     return (bench_.misfit.uses_lengths() && bench_.misfit.length_error(pair) > kBadError) ||

@@ -47,6 +47,16 @@ std::optional<Similarity> fit(const Workbench& bench, const std::vector<Halfedge
   return as_similarity(matrix);
 }
 
+/// Does a vertex land farther from its image than a third of the edges there?
+bool lands_off(const Sides& sides, const Similarity& similarity, Candidate pair) {
+  const auto place = [](const Mesh& mesh, VertexId v) -> const Point& { return mesh.positions()[v.value]; };
+  const Mesh& target = sides.target.mesh;
+  const Point& there = place(target, target.origin(pair.target));
+  const double off =
+      squared_distance(similarity(place(sides.source.mesh, sides.source.mesh.origin(pair.source))), there);
+  return off > 0.1 * squared_distance(there, place(target, target.tip(pair.target)));
+}
+
 /// The share of the source's vertices that land near a vertex of the target. Judging by what is matched would confirm
 /// the wrong half of a symmetric model.
 double share_that_lands(const Workbench& bench, const Similarity& similarity, const VertexGrid& grid, double reach) {
@@ -150,6 +160,21 @@ std::optional<Similarity> find_placement(const Workbench& bench, const VertexGri
     }
   }
   return best;
+}
+
+bool lies_well(const Workbench& bench) {
+  const std::vector<HalfedgeId>& history = bench.patchwork.history();
+  const std::size_t step = history.size() / kSamples + 1;
+  const auto is_well = [&](auto fits_badly) {
+    for (std::size_t k = 0; k < history.size(); k += step) {
+      if (fits_badly(Candidate{history[k], bench.patchwork.image(history[k])})) return false;
+    }
+    return true;
+  };
+  for (const std::optional<Similarity>& similarity : {std::optional(Similarity()), fit(bench, history)}) {
+    if (similarity && is_well([&](Candidate pair) { return lands_off(bench.sides, *similarity, pair); })) return true;
+  }
+  return false;
 }
 
 void place(Workbench& bench) {

@@ -42,4 +42,8 @@ class VertexGrid {
 [[nodiscard]] std::optional<Similarity> find_placement(const Workbench& bench, const VertexGrid& target_grid,
                                                        double edge);
 
+/// Is one mesh the other, moved as a whole, as far as a sample of the matched faces tells? A tube turned by one step is
+/// equal as connectivity goes.
+[[nodiscard]] bool lies_well(const Workbench& bench);
+
 }  // namespace quadmatch::regions
