@@ -1,4 +1,4 @@
-// The last judgement: a region stays if chance could not agree so often, or if its neighbours speak for it.
+// The last judgement: a region stays if chance could not agree so often, or if neighbours that stay speak for it.
 
 #include <algorithm>
 #include <vector>
@@ -21,8 +21,11 @@ struct Testimony {
 
 class Judge {
  public:
-  Judge(Workbench& bench, Likelihood& likelihood) : bench_(bench), likelihood_(likelihood) {}
+  explicit Judge(Workbench& bench)
+      : bench_(bench), likelihood_(bench), believed_(bench.patchwork.region_count(), false) {}
 
+  void believe(std::uint32_t region) { believed_[region] = true; }
+  /// By its own evidence and what believed regions say of it.
   [[nodiscard]] bool believes(const std::vector<Candidate>& pairs) {
     const Testimony testimony = hear(pairs);
     const double speaks = likelihood_.of(pairs);
@@ -30,7 +33,7 @@ class Judge {
     if (speaks + kVote * testimony.votes + kHopVote * testimony.hop_votes >= needed) return true;
     if (testimony.whole_component && disagreeing(pairs) == 0) return true;
     if (testimony.votes + 0.67 * testimony.hop_votes >= 2) return true;
-    return !bench_.misfit.uses_lengths() && has_evidence(pairs);
+    return has_evidence(pairs);
   }
 
  private:
@@ -45,8 +48,8 @@ class Judge {
         if (!matched || bench_.patchwork.region(source_.face(beside)) != region) {
           testimony.whole_component = testimony.whole_component && !beside.valid() && !beside_target.valid();
           if (matched && bench_.patchwork.image(beside) == beside_target) {
-            ++testimony.votes;
-          } else if (agrees_after_hop(bench_, {s, t})) {
+            testimony.votes += believed_[bench_.patchwork.region(source_.face(beside))];
+          } else if (agrees_after_hop(bench_, {s, t}, [&](std::uint32_t other) { return believed_[other]; })) {
             ++testimony.hop_votes;
           }
         }
@@ -61,7 +64,8 @@ class Judge {
     for (const Candidate& pair : pairs) corners += bench_.misfit.disagreeing_corners(pair);
     return corners;
   }
-  /// Without lengths, many agreeing extraordinary vertices are enough: counted by corners here, which is as good.
+  /// Many agreeing extraordinary vertices are enough, and at least as many as disagree: counted by corners here, which
+  /// is as good.
   [[nodiscard]] bool has_evidence(const std::vector<Candidate>& pairs) const {
     std::uint32_t agreeing = 0, source_extraordinary = 0, target_extraordinary = 0;
     for (const Candidate& pair : pairs) {
@@ -80,27 +84,82 @@ class Judge {
   }
 
   Workbench& bench_;
-  Likelihood& likelihood_;
+  Likelihood likelihood_;
+  std::vector<bool> believed_;
   const Mesh& source_ = bench_.sides.source.mesh;
   const Mesh& target_ = bench_.sides.target.mesh;
 };
 
+/// Regions that stand or fall together.
+using Group = std::vector<std::uint32_t>;
+
+/// Slivers side by side are regions of their own, but one piece of evidence: put those together that agree across their
+/// common edges.
+std::vector<Group> grouped(const Workbench& bench, const std::vector<std::vector<HalfedgeId>>& faces,
+                           const std::vector<Group>& doubtful) {
+  const Mesh& source = bench.sides.source.mesh;
+  const Mesh& target = bench.sides.target.mesh;
+  constexpr std::uint32_t kNone = 0xffffffff;
+  std::vector<std::uint32_t> group_of(faces.size(), kNone);
+  std::vector<Group> groups;
+  for (const Group& single : doubtful) {
+    group_of[single.front()] = static_cast<std::uint32_t>(groups.size());
+    groups.push_back(single);
+  }
+  for (const Group& single : doubtful) {
+    for (const HalfedgeId entry : faces[single.front()]) {
+      for (const HalfedgeId h : source.halfedges(source.face(entry))) {
+        const HalfedgeId beside = source.twin(h);
+        if (!beside.valid() || !bench.patchwork.is_matched(source.face(beside))) continue;
+        const std::uint32_t one = group_of[single.front()];
+        const std::uint32_t other = group_of[bench.patchwork.region(source.face(beside))];
+        if (other == kNone || other == one || bench.patchwork.image(beside) != target.twin(bench.patchwork.image(h))) {
+          continue;
+        }
+        for (const std::uint32_t region : groups[other]) group_of[region] = one;
+        groups[one].insert(groups[one].end(), groups[other].begin(), groups[other].end());
+        groups[other].clear();
+      }
+    }
+  }
+  std::erase_if(groups, [](const Group& group) { return group.empty(); });
+  return groups;
+}
+
 }  // namespace
 
-std::size_t drop_unlikely(Workbench& bench, Likelihood& likelihood) {
+std::size_t drop_unlikely(Workbench& bench) {
   const std::vector<std::vector<HalfedgeId>> faces = faces_by_region(bench);
-  Judge judge(bench, likelihood);
+  Judge judge(bench);
+  std::vector<Group> doubtful;
+  for (const std::uint32_t region : largest_first(faces)) doubtful.push_back({region});
+  const auto judge_all = [&] {
+    std::vector<Candidate> pairs;
+    // Belief spreads from region to region. Garbage speaks for garbage, so only what is believed is heard.
+    for (std::size_t before = doubtful.size() + 1; doubtful.size() < before;) {
+      before = doubtful.size();
+      std::erase_if(doubtful, [&](const Group& group) {
+        pairs.clear();
+        for (const std::uint32_t region : group) {
+          for (const HalfedgeId entry : faces[region]) pairs.push_back({entry, bench.patchwork.image(entry)});
+        }
+        const bool believed = judge.believes(pairs);
+        for (const std::uint32_t region : group) {
+          if (believed) judge.believe(region);
+        }
+        return believed;
+      });
+    }
+  };
+  judge_all();
+  doubtful = grouped(bench, faces, doubtful);
+  judge_all();
   std::size_t dropped = 0;
-  std::vector<std::uint32_t> doubtful;
-  std::vector<Candidate> pairs;
-  for (const std::uint32_t region : largest_first(faces)) {
-    pairs.clear();
-    for (const HalfedgeId entry : faces[region]) pairs.push_back({entry, bench.patchwork.image(entry)});
-    if (!judge.believes(pairs)) doubtful.push_back(region);
-  }
-  for (const std::uint32_t region : doubtful) {
-    for (const HalfedgeId entry : faces[region]) bench.patchwork.lift(bench.sides.source.mesh.face(entry));
-    dropped += faces[region].size();
+  for (const Group& group : doubtful) {
+    for (const std::uint32_t region : group) {
+      for (const HalfedgeId entry : faces[region]) bench.patchwork.lift(bench.sides.source.mesh.face(entry));
+      dropped += faces[region].size();
+    }
   }
   return dropped;
 }

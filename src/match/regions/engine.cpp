@@ -81,12 +81,17 @@ void match_unequal(Workbench& bench, const ColouredSpokes& colours, EqualParts& 
   split(bench.sides, bench.patchwork);
   equal.lay_repeated();
   mend(bench, options);
-  Likelihood likelihood(bench);
   for (int round = 0; round < kMostRestarts && options.stages.restarts; ++round) {
-    if (leaves_little(bench) || restart(bench, likelihood) == 0) break;
+    if (leaves_little(bench)) break;
+    std::size_t matched = restart(bench);
+    if (matched == 0 && bench.patchwork.matched_faces() == 0) {
+      bench.misfit.assume();  // there is nothing to learn lengths from, and nothing to lose
+      matched = restart(bench);
+    }
+    if (matched == 0) break;
     mend(bench, options);
   }
-  if (options.stages.acceptance) drop_unlikely(bench, likelihood);
+  if (options.stages.acceptance) drop_unlikely(bench);
 }
 
 }  // namespace

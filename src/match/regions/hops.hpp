@@ -38,11 +38,14 @@ void for_each_landing(const Workbench& bench, Candidate edges, Visit visit) {
 }
 
 /// Does a matched face beyond a hop lie as it should?
-[[nodiscard]] inline bool agrees_after_hop(const Workbench& bench, Candidate edges) {
+/// @param counts  whether a region is to be heard.
+template <class Counts>
+[[nodiscard]] bool agrees_after_hop(const Workbench& bench, Candidate edges, Counts counts) {
   bool agrees = false;
   for_each_landing(bench, edges, [&](Candidate landing) {
-    agrees = agrees || (bench.patchwork.is_matched(bench.sides.source.mesh.face(landing.source)) &&
-                        bench.patchwork.image(landing.source) == landing.target);
+    const FaceId face = bench.sides.source.mesh.face(landing.source);
+    agrees = agrees || (bench.patchwork.is_matched(face) && bench.patchwork.image(landing.source) == landing.target &&
+                        counts(bench.patchwork.region(face)));
   });
   return agrees;
 }

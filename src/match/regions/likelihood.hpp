@@ -10,7 +10,8 @@ namespace quadmatch::regions {
 
 class Likelihood {
  public:
-  /// Count how frequent each vertex code is in both meshes.
+  /// Learn how often chance agrees: how frequent each vertex code is in both meshes, and how often faces picked at
+  /// random have lengths that fit.
   explicit Likelihood(const Workbench& bench);
 
   /// The logarithm of how much likelier it is that these pairs are true than that they came together by chance: rare
@@ -27,7 +28,13 @@ class Likelihood {
 
  private:
   const Workbench& bench_;
-  std::vector<double> log_rarity_;  // by code: log(0.9 / share of the vertices that have it)
+  void learn_codes();
+  void learn_lengths();
+
+  std::vector<double> agrees_;  // by code: what a vertex of this code on another of this code says
+  double disagrees_ = 0;        // what a vertex on one of another code says
+  double fits_ = 0;             // what a face says whose lengths fit
+  double misfits_ = 0;          // what one says whose lengths do not
   PerVertex<std::uint32_t> seen_;
   std::uint32_t now_ = 0;
   double log_places_ = 0;  // log of the number of half-edges, the mean of both meshes

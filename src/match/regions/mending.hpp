@@ -19,8 +19,6 @@ struct Workbench {
   Ghost& ghost;
 };
 
-class Likelihood;
-
 /// The entry half-edges of each region's faces, in the order in which they were matched.
 [[nodiscard]] std::vector<std::vector<HalfedgeId>> faces_by_region(const Workbench& bench);
 
@@ -55,9 +53,9 @@ std::size_t settle_ties(Workbench& bench);
 
 /// Restarts: where all else has left large parts free, try faces with rare corners against each other.
 /// @return  faces matched.
-std::size_t restart(Workbench& bench, Likelihood& likelihood);
+std::size_t restart(Workbench& bench);
 
 /// Lift the regions that chance may have brought together. @return faces lifted.
-std::size_t drop_unlikely(Workbench& bench, Likelihood& likelihood);
+std::size_t drop_unlikely(Workbench& bench);
 
 }  // namespace quadmatch::regions

@@ -69,6 +69,7 @@ bool Misfit::load_lengths() {
 void Misfit::assume() {
   constexpr double kUsualSigma = 0.1;
   uses_lengths_ = load_lengths();
+  learnt_ = false;
   if (!uses_lengths_) return;
   scale_ = lengths_[1].median_edge() - lengths_[0].median_edge();
   sigma_ = kUsualSigma;
@@ -95,7 +96,7 @@ void Misfit::calibrate(const Patchwork& patchwork) {
   }
   const double lower = quantile(errors, 0.25);
   const double middle = quantile(errors, 0.5);
-  uses_lengths_ = lower < kUseless;
+  uses_lengths_ = learnt_ = lower < kUseless;
   sigma_ = std::max(kLeastSigma, 1.5 * std::min(middle, 2 * lower));
 }
 

@@ -61,6 +61,8 @@ class Misfit {
   [[nodiscard]] double distance(const Point& source, const Point& target) const;
 
   [[nodiscard]] bool uses_lengths() const { return uses_lengths_; }
+  /// Were they learnt from what is matched, and not only assumed?
+  [[nodiscard]] bool trusts_lengths() const { return uses_lengths_ && learnt_; }
   /// The root mean square of the differences of log lengths over edges and diagonals, in units of what is usual
   /// (sigma): below 1 is good, above 3 bad. @pre uses_lengths().
   [[nodiscard]] double length_error(Candidate pair) const;
@@ -76,6 +78,7 @@ class Misfit {
   bool with_positions_;
   std::vector<Lengths> lengths_;  // source and target, once they are asked for
   bool uses_lengths_ = false;
+  bool learnt_ = false;
   double scale_ = 0.0;  // log of target size by source size
   double sigma_ = 1.0;
   std::optional<Similarity> placement_;

@@ -15,6 +15,8 @@ constexpr std::size_t kMostRegions = 8;
 constexpr std::size_t kSamples = 500;
 constexpr double kLands = 0.15;  // in edges
 constexpr double kLeastShare = 0.3;
+/// How far edges of the placed source may be from those of the target, as a ratio.
+constexpr double kMostScale = 2;
 
 Similarity as_similarity(const Eigen::Matrix4d& matrix) {
   Similarity similarity;
@@ -139,8 +141,12 @@ double mean_edge(const Mesh& mesh) {
 
 std::optional<Similarity> find_placement(const Workbench& bench, const VertexGrid& target_grid, double edge) {
   std::vector<Similarity> candidates{Similarity()};
+  const double source_edge = mean_edge(bench.sides.source.mesh);
   const auto add = [&](const std::vector<HalfedgeId>& entries) {
-    if (const std::optional<Similarity> found = fit(bench, entries)) candidates.push_back(*found);
+    const std::optional<Similarity> found = fit(bench, entries);
+    // What is matched wrongly is best fitted by a point, and all that shrinks to one vertex lands on it.
+    const double ratio = found ? found->scale() * source_edge / edge : 0;
+    if (ratio > 1 / kMostScale && ratio < kMostScale) candidates.push_back(*found);
   };
   const std::vector<std::vector<HalfedgeId>> faces = faces_by_region(bench);
   std::vector<HalfedgeId> all;

@@ -90,8 +90,8 @@ std::vector<Class> rarest_first(const std::vector<Look>& left, const std::vector
 
 class Restarts {
  public:
-  Restarts(Workbench& bench, Likelihood& likelihood)
-      : bench_(bench), likelihood_(likelihood), budget_(kBudget * bench.sides.source.mesh.face_count()) {}
+  explicit Restarts(Workbench& bench)
+      : bench_(bench), likelihood_(bench), budget_(kBudget * bench.sides.source.mesh.face_count()) {}
 
   std::size_t match() {
     const std::size_t before = bench_.patchwork.matched_faces();
@@ -144,13 +144,13 @@ class Restarts {
   }
 
   Workbench& bench_;
-  Likelihood& likelihood_;
+  Likelihood likelihood_;
   const Mesh& source_ = bench_.sides.source.mesh;
   std::size_t budget_, spent_ = 0;
 };
 
 }  // namespace
 
-std::size_t restart(Workbench& bench, Likelihood& likelihood) { return Restarts(bench, likelihood).match(); }
+std::size_t restart(Workbench& bench) { return Restarts(bench).match(); }
 
 }  // namespace quadmatch::regions

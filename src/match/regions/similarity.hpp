@@ -2,6 +2,8 @@
 /// A turn, a uniform scale and a shift.
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 
 #include <quadmatch/mesh/polygon_soup.hpp>
 
@@ -11,6 +13,7 @@ struct Similarity {
   std::array<std::array<double, 3>, 3> linear = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   Point shift = {0, 0, 0};
 
+  [[nodiscard]] double scale() const { return std::hypot(linear[0][0], linear[1][0], linear[2][0]); }
   [[nodiscard]] Point operator()(const Point& p) const {
     Point image = shift;
     for (std::size_t row = 0; row < 3; ++row) {
