@@ -14,6 +14,9 @@ constexpr double kAgrees = 0.9;
 constexpr double kFits = 0.7, kMisfits = 0.1;
 /// One face says no more than this: its neighbours say nearly the same.
 constexpr double kMostByLengths = 1.5;
+/// What a face says that lands on its image, with the source placed as a whole; nothing if it does not: it may have
+/// been moved.
+constexpr double kLands = 2.0, kNear = 0.3;
 /// A vertex that disagrees always speaks against, if only a little.
 constexpr double kLeastAgainst = -0.5;
 
@@ -23,8 +26,8 @@ Likelihood::Likelihood(const Workbench& bench)
     : bench_(bench), agrees_(kCodes, 0), seen_(bench.sides.source.mesh.vertex_count(), 0) {
   learn_codes();
   if (bench.misfit.trusts_lengths()) learn_lengths();
-  log_places_ = 0.5 * (std::log(bench.sides.source.mesh.halfedge_count()) +
-                       std::log(bench.sides.target.mesh.halfedge_count()));
+  log_places_ =
+      0.5 * (std::log(bench.sides.source.mesh.halfedge_count()) + std::log(bench.sides.target.mesh.halfedge_count()));
 }
 
 void Likelihood::learn_codes() {
@@ -79,6 +82,7 @@ double Likelihood::of(std::span<const Candidate> pairs) {
       const double error = bench_.misfit.length_error(pair);
       sum += error < 1 ? fits_ : error > 3 ? misfits_ : 0;
     }
+    if (bench_.misfit.is_placed() && bench_.misfit.distance(pair) < kNear) sum += kLands;
     auto [s, t] = pair;
     do {
       if (std::exchange(seen_[source.origin(s)], now_) != now_) {
