@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <future>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,16 +15,36 @@
 
 namespace quadmatch::cli {
 
-std::optional<MeshFile> read_input(const std::string& path, bool remarks) {
-  Expected<MeshFile> file = read_mesh(path);
+namespace {
+
+/// The mesh, or a complaint.
+std::optional<MeshFile> accepted(Expected<MeshFile> file, bool remarks) {
   if (!file) {
     complain(file.error());
     return std::nullopt;
   }
   if (remarks) {
-    for (const std::string& note : file->notes) warn(fmt::format("{}: {}", display_name(path), note));
+    for (const std::string& note : file->notes) warn(fmt::format("{}: {}", display_name(file->path), note));
   }
   return *std::move(file);
+}
+
+}  // namespace
+
+std::optional<MeshFile> read_input(const std::string& path, bool remarks) {
+  return accepted(read_mesh(path), remarks);
+}
+
+std::optional<InputPair> read_inputs(const std::string& source, const std::string& target, bool remarks,
+                                     std::uint32_t threads) {
+  if (threads == 0) threads = std::thread::hardware_concurrency();
+  const std::launch when = threads > 1 ? std::launch::async : std::launch::deferred;
+  std::future<Expected<MeshFile>> other = std::async(when, [&] { return read_mesh(target); });
+  std::optional<MeshFile> first = accepted(read_mesh(source), remarks);
+  if (!first) return std::nullopt;
+  std::optional<MeshFile> second = accepted(other.get(), remarks);
+  if (!second) return std::nullopt;
+  return InputPair{*std::move(first), *std::move(second)};
 }
 
 bool paths_fit(const std::vector<std::string>& inputs, const std::string& output) {

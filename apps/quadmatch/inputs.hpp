@@ -1,6 +1,7 @@
 #pragma once
 /// Reading the meshes a verb is given, and keeping the output away from them.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,16 @@ namespace quadmatch::cli {
 
 /// Read a mesh; an error is complained about. @param remarks  also warn of what the reader had to guess.
 [[nodiscard]] std::optional<MeshFile> read_input(const std::string& path, bool remarks);
+
+/// Both meshes of a pair.
+struct InputPair {
+  MeshFile source, target;
+};
+
+/// Read two meshes, at the same time if there may be two threads. Complains as if one had been read after the other.
+/// @param threads  0: as many as there are processors.
+[[nodiscard]] std::optional<InputPair> read_inputs(const std::string& source, const std::string& target, bool remarks,
+                                                   std::uint32_t threads);
 
 /// May these be read and that be written in one run? Complains where standard input would be read twice, or where the
 /// output (empty: none) is one of the inputs.

@@ -51,12 +51,15 @@ CLI::Validator one_of(const std::map<std::string, Choice>& choices) {
 struct MatchArguments {
   std::string source, target;
   std::string output;
-  std::string algorithm = "lazy-greedy";
+  std::string algorithm = "regions";
   std::string orientation = "auto";
   std::vector<std::string> anchors;
   bool arc_lengths = false;
   std::uint32_t rounds = AnchorOptions{}.rounds;
   bool no_positions = false;
+  double least_confidence = MatchOptions{}.least_confidence;
+  std::uint32_t least_region = MatchOptions{}.least_region;
+  std::uint32_t threads = 0;
   bool waves = false;
   bool json = false;
   bool quiet = false;
@@ -69,6 +72,8 @@ MatchOptions options_of(const MatchArguments& arguments, Progress& progress) {
   options.anchor_search.rounds = arguments.rounds;
   options.anchor_search.colouring.arc_lengths = arguments.arc_lengths;
   options.positions = !arguments.no_positions;
+  options.least_confidence = arguments.least_confidence;
+  options.least_region = arguments.least_region;
   options.waves = arguments.waves;
   if (progress.visible()) {
     options.progress = [&progress](std::size_t matched, std::size_t most) {
@@ -85,7 +90,8 @@ std::vector<std::pair<std::string, std::string>> settings_of(const MatchArgument
                                                             {"algorithm", arguments.algorithm},
                                                             {"orientation", arguments.orientation},
                                                             {"rounds", std::to_string(arguments.rounds)},
-                                                            {"arc_lengths", arguments.arc_lengths ? "true" : "false"}};
+                                                            {"arc_lengths", arguments.arc_lengths ? "true" : "false"},
+                                                            {"positions", arguments.no_positions ? "false" : "true"}};
   if (!arguments.anchors.empty()) settings.emplace_back("anchors", joined(arguments.anchors, " "));
   return settings;
 }
@@ -154,12 +160,12 @@ int run_match(const MatchArguments& arguments) {
   }
   Progress progress(!arguments.quiet);
   Stopwatch stopwatch;
-  progress.stage("reading " + display_name(arguments.source));
-  const std::optional<MeshFile> source = read_input(arguments.source, !arguments.quiet);
-  if (!source) return kTrouble;
-  progress.stage("reading " + display_name(arguments.target));
-  const std::optional<MeshFile> target = read_input(arguments.target, !arguments.quiet);
-  if (!target) return kTrouble;
+  progress.stage(fmt::format("reading {} and {}", display_name(arguments.source), display_name(arguments.target)));
+  std::optional<InputPair> inputs =
+      read_inputs(arguments.source, arguments.target, !arguments.quiet, arguments.threads);
+  if (!inputs) return kTrouble;
+  const MeshFile* const source = &inputs->source;
+  const MeshFile* const target = &inputs->target;
   Times times;
   times.reading = stopwatch.lap();
   if (!arguments.quiet) {
@@ -208,7 +214,8 @@ void add_match_command(CLI::App& program, Action& chosen) {
   verb->add_option("-o,--output", arguments->output, "Match file to write (JSON); - or none: standard output")
       ->type_name("FILE");
   verb->add_option("--algorithm", arguments->algorithm,
-                   "lazy-greedy: the largest compatible component first; greedy: every face that fits, wave by wave")
+                   "regions: many anchors, many regions, belief by evidence. The paper's, of one region: lazy-greedy, the "
+                   "largest compatible component first; greedy, every face that fits, wave by wave")
       ->check(one_of(kAlgorithms))
       ->type_name("NAME")
       ->capture_default_str();
@@ -217,14 +224,27 @@ void add_match_command(CLI::App& program, Action& chosen) {
       ->check(one_of(kOrientations))
       ->type_name("NAME")
       ->capture_default_str();
-  verb->add_option("--anchor", arguments->anchors, "Grow from here (see below); the first that fits is taken")
+  verb->add_option("--anchor", arguments->anchors,
+                   "These are the same, whatever else says so (see below); the paper's algorithms grow from the first")
       ->type_name("PLACE=PLACE")
       ->allow_extra_args(false);
-  verb->add_option("--rounds", arguments->rounds, "Rounds of colouring at most when anchors are sought")
+  verb->add_option("--min-confidence", arguments->least_confidence,
+                   "Leave out regions of which a smaller share of the extraordinary vertices agrees, 0 to 1")
+      ->check(CLI::Range(0.0, 1.0).description(""))
+      ->type_name("SHARE")
+      ->capture_default_str();
+  verb->add_option("--min-region", arguments->least_region, "Leave out regions of fewer faces")
+      ->type_name("FACES")
+      ->capture_default_str();
+  verb->add_option("--threads", arguments->threads,
+                   "Read the two meshes at the same time if 2 or more; 0: as many as there are processors")
+      ->type_name("N")
+      ->capture_default_str();
+  verb->add_option("--rounds", arguments->rounds, "The paper's algorithms: rounds of colouring at most for anchors")
       ->type_name("K")
       ->capture_default_str();
   verb->add_flag("--arc-lengths", arguments->arc_lengths,
-                 "Colour by the lengths of skeleton arcs too: finds more, but inserted edge loops disturb it");
+                 "The paper's algorithms: colour by the lengths of skeleton arcs too");
   verb->add_flag("--no-positions", arguments->no_positions, "Connectivity alone: never look at where vertices are");
   verb->add_flag("--waves", arguments->waves, "Keep the order of growth, wave by wave, in the match file");
   verb->add_flag("--json", arguments->json, "Print the figures as JSON");

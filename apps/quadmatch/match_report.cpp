@@ -68,10 +68,36 @@ std::string describe(const SeedReport& seed) {
 
 std::string describe(const RegionReport& region) {
   const Evidence& evidence = region.evidence;
-  return fmt::format("{}, {}; {} agree, of {} touched in the source and {} in the target",
-                     counted(region.faces, "face"), to_string(region.orientation),
-                     counted(evidence.agreeing, "extraordinary vertex", "extraordinary vertices"),
-                     grouped(evidence.source_extraordinary), grouped(evidence.target_extraordinary));
+  std::string text = fmt::format("{}, {}; {} agree, of {} touched in the source and {} in the target",
+                                 counted(region.faces, "face"), to_string(region.orientation),
+                                 counted(evidence.agreeing, "extraordinary vertex", "extraordinary vertices"),
+                                 grouped(evidence.source_extraordinary), grouped(evidence.target_extraordinary));
+  if (region.ambiguous) text += fmt::format("; one of {} ways", grouped(region.ways));
+  return text;
+}
+
+/// The largest regions, a line each, and the rest in one.
+void add_regions(Lines& lines, const std::vector<RegionReport>& regions) {
+  constexpr std::size_t kMostLines = 6;
+  const std::size_t shown = regions.size() <= kMostLines + 1 ? regions.size() : kMostLines;
+  for (std::size_t k = 0; k < shown; ++k) lines.add("region", describe(regions[k]));
+  if (shown == regions.size()) return;
+  std::uint64_t faces = 0;
+  for (std::size_t k = shown; k < regions.size(); ++k) faces += regions[k].faces;
+  lines.add("", fmt::format("and {} more of {} to {}, {} in all", regions.size() - shown,
+                            counted(regions.back().faces, "face"), grouped(regions[shown].faces),
+                            counted(faces, "face")));
+}
+
+/// What a modeller should look at before data is carried over.
+std::string doubts_of(const MatchReport& report) {
+  const std::uint32_t faces = report.ambiguous_faces();
+  if (faces == 0) return {};
+  const auto parts = std::count_if(report.regions.begin(), report.regions.end(),
+                                   [](const RegionReport& region) { return region.ambiguous; });
+  return fmt::format("{} in {} could as well lie otherwise: the part is symmetric, or one of several that are equal, and "
+                     "nothing says which is which; an --anchor on it would",
+                     counted(faces, "face"), counted(static_cast<std::uint64_t>(parts), "region"));
 }
 
 std::string describe(const SideReport& side) {
@@ -112,6 +138,9 @@ Json seed_json(const std::optional<SeedReport>& seed) {
 Json region_json(const RegionReport& region) {
   return {{"orientation", to_string(region.orientation)},
           {"faces", region.faces},
+          {"confidence", region.evidence.confidence()},
+          {"ways", region.ways},
+          {"ambiguous", region.ambiguous},
           {"evidence",
            {{"agreeing", region.evidence.agreeing},
             {"source_extraordinary", region.evidence.source_extraordinary},
@@ -123,13 +152,20 @@ double rounded(double milliseconds) { return std::round(milliseconds * 1000.0) /
 
 }  // namespace
 
+std::uint32_t MatchReport::ambiguous_faces() const {
+  std::uint32_t faces = 0;
+  for (const RegionReport& region : regions) faces += region.ambiguous ? region.faces : 0;
+  return faces;
+}
+
 MatchReport report_match(const Mesh& source, const Mesh& target, const MatchResult& result, bool anchors_given) {
   MatchReport report;
   report.source = report_side(source, result.match, &FacePair::source);
   report.target = report_side(target, result.match, &FacePair::target);
   report.matched_vertices = static_cast<std::uint32_t>(result.match.vertices.size());
   for (const Region& region : result.match.regions) {
-    report.regions.push_back({region.orientation, static_cast<std::uint32_t>(region.faces.size()), region.evidence});
+    report.regions.push_back({region.orientation, static_cast<std::uint32_t>(region.faces.size()), region.evidence,
+                              region.ways, region.ambiguous});
   }
   if (const Anchor& seed = result.seed; seed.source.valid()) {
     report.seed = SeedReport{.source_face = source.face(seed.source),
@@ -152,7 +188,8 @@ std::string as_text(const MatchReport& report) {
   lines.add("matched", report.regions.empty() ? "nothing"
                                               : fmt::format("{}, {}", counted(report.matched_faces(), "face"),
                                                             counted(report.matched_vertices, "vertex", "vertices")));
-  for (const RegionReport& region : report.regions) lines.add("region", describe(region));
+  add_regions(lines, report.regions);
+  if (const std::string doubts = doubts_of(report); !doubts.empty()) lines.add("doubtful", doubts);
   if (report.seed) lines.add("anchor", describe(*report.seed));
   lines.add("time", fmt::format("reading {}, matching {}, verifying {}", duration(report.times.reading),
                                 duration(report.times.matching), duration(report.times.verifying)));
@@ -169,6 +206,7 @@ std::string as_json(const MatchReport& report) {
                     {"target", side_json(report.target)},
                     {"matched_faces", report.matched_faces()},
                     {"matched_vertices", report.matched_vertices},
+                    {"ambiguous_faces", report.ambiguous_faces()},
                     {"regions", regions},
                     {"anchor", seed_json(report.seed)},
                     {"settings", settings},

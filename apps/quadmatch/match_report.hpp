@@ -35,6 +35,8 @@ struct RegionReport {
   Orientation orientation = Orientation::Preserving;
   std::uint32_t faces = 0;
   Evidence evidence;
+  std::uint32_t ways = 1;  ///< maps of it that are as good
+  bool ambiguous = false;
 };
 
 /// In milliseconds.
@@ -52,6 +54,8 @@ struct MatchReport {
   std::string output;  ///< where the match file was written; empty: nowhere
 
   [[nodiscard]] std::uint32_t matched_faces() const { return source.matched_faces; }
+  /// Those of regions that are ambiguous.
+  [[nodiscard]] std::uint32_t ambiguous_faces() const;
 };
 
 /// @param anchors_given  the user named the anchors.

@@ -83,6 +83,9 @@ void write_region(io::TextBuffer& text, const Region& region) {
        << ",\n   \"evidence\": {\"agreeing\": " << evidence.agreeing
        << ", \"source_extraordinary\": " << evidence.source_extraordinary
        << ", \"target_extraordinary\": " << evidence.target_extraordinary << "},\n";
+  if (region.ways > 1) {
+    text << "   \"ways\": " << region.ways << ", \"ambiguous\": " << (region.ambiguous ? "true" : "false") << ",\n";
+  }
   if (!region.waves.empty()) {
     text << "   \"waves\": [";
     for (std::size_t i = 0; i < region.waves.size(); ++i) text << (i == 0 ? "" : ", ") << region.waves[i];

@@ -163,7 +163,8 @@ bool MatchListener::skipping() const {
     case Place::Side:
       return key_ != "path" && key_ != "vertices" && key_ != "faces";
     case Place::Region:
-      return key_ != "orientation" && key_ != "faces" && key_ != "evidence" && key_ != "waves";
+      return key_ != "orientation" && key_ != "faces" && key_ != "evidence" && key_ != "waves" &&
+             key_ != "ways" && key_ != "ambiguous";
     case Place::Evidence:
       return key_ != "agreeing" && key_ != "source_extraordinary" && key_ != "target_extraordinary";
     default:
@@ -287,6 +288,10 @@ bool MatchListener::number_unsigned(std::uint64_t number) {
                                         : evidence.target_extraordinary) = index;
       return true;
     }
+    case Place::Region:
+      if (key_ != "ways") return wrong("a number");
+      file_.match.regions.back().ways = index;
+      return true;
     case Place::Side:
       if (key_ == "path") return wrong("a number");
       (key_ == "vertices" ? side_->vertices : side_->faces) = index;
@@ -324,6 +329,10 @@ bool MatchListener::string(std::string& text) {
 
 bool MatchListener::boolean(bool value) {
   if (skipping() || place() == Place::Settings) return true;
+  if (place() == Place::Region && key_ == "ambiguous") {
+    file_.match.regions.back().ambiguous = value;
+    return true;
+  }
   if (place() != Place::File || key_ != "complete") return wrong(value ? "true" : "false");
   file_.match.complete = value;
   return true;

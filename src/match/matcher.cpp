@@ -11,8 +11,8 @@
 #include <quadmatch/analysis/vertex_code.hpp>
 
 #include "growth.hpp"
-#include "regions/assemble.hpp"
-#include "regions/engine.hpp"
+#include "match_regions.hpp"
+#include "mirror.hpp"
 
 namespace quadmatch {
 namespace {
@@ -41,21 +41,9 @@ Anchor first_that_fits(const Growth& growth, const std::vector<UserAnchor>& anch
   return first == anchors.end() ? Anchor() : *first;
 }
 
-/// The regions engine, with the target as it is laid.
-MatchResult match_by_regions(const Analysis& source, const Analysis& target, const MatchOptions& options,
-                             Orientation orientation) {
-  const regions::Sides sides{{source.mesh, source.codes, source.tracing.separatrices},
-                             {target.mesh, target.codes, target.tracing.separatrices}};
-  MatchResult result;
-  result.match = regions::assemble(sides, regions::match_regions(sides, {.positions = options.positions}), orientation,
-                                   options.waves);
-  return result;
-}
-
 /// Match with the target as it is laid: the rotation systems agree.
 MatchResult match_laid(const Analysis& source, const Analysis& target, const MatchOptions& options,
                        Orientation orientation) {
-  if (options.algorithm == Algorithm::Regions) return match_by_regions(source, target, options, orientation);
   MatchResult result;
   result.search = anchors_for(source, target, options);
   Growth growth(source.mesh, source.codes, target.mesh, target.codes);
@@ -76,12 +64,6 @@ MatchResult match_laid(const Analysis& source, const Analysis& target, const Mat
   result.match.regions.push_back(growth.region(orientation, options.waves));
   result.match.regions.front().evidence = weigh(result.match.vertices, source.codes, target.codes);
   return result;
-}
-
-/// The half-edge that leaves the same corner in the mirror, and back again: corner k is corner n - 1 - k there.
-HalfedgeId in_mirror(const Mesh& mesh, HalfedgeId h) {
-  const FaceId f = mesh.face(h);
-  return HalfedgeId(mesh.first(f).value + mesh.size(f) - 1 - mesh.corner(h));
 }
 
 /// Match with the target turned over: reverse all its faces and nothing else.
@@ -106,6 +88,7 @@ bool is_far_larger(const Match& match, const Match& other) { return match.matche
 }  // namespace
 
 MatchResult match(const Mesh& source, const Mesh& target, const MatchOptions& options) {
+  if (options.algorithm == Algorithm::Regions) return {.match = match_regions(source, target, options), .search = {}, .seed = {}};
   const Analysis left(source, options.anchors.empty());
   if (options.orientation == OrientationChoice::Reversing) return match_mirrored(left, target, options);
 

@@ -15,27 +15,47 @@ namespace quadmatch {
 enum class Algorithm {
   Greedy,      ///< §4.4: every quad that fits, wave by wave
   LazyGreedy,  ///< §4.5: the largest component of the compatibility graph first
-  Regions,     ///< many anchors, many regions, belief by evidence
+  Regions,     ///< many anchors, many regions, belief by evidence (docs/how-it-works.md)
 };
 
 /// Which way round the target is laid on the source.
 enum class OrientationChoice {
   Preserving,
   Reversing,
-  Auto,  ///< preserving; reversing as well where that leaves most of both meshes unmatched, and the far larger one wins
+  /// Preserving; reversing as well where that leaves much unmatched. The paper's algorithms take the reversing match if
+  /// it is far larger; regions takes the larger and fills the components it left from the other, so parts may differ.
+  Auto,
+};
+
+/// The stages of Algorithm::Regions, each of which can be left out for comparison.
+struct Stages {
+  bool equal_parts = true;  ///< components that are the same are laid whole, before anything burns
+  bool seams = true;        ///< seams between regions move to where they cost least
+  bool ties = true;         ///< positions settle what corners and lengths cannot
+  bool slides = true;       ///< rings matched a step round are turned back
+  bool slivers = true;      ///< faces that no region can take in become regions of their own
+  bool islands = true;      ///< parts cut off by new faces are reached by hops
+  bool restarts = true;     ///< large parts left free are tried from rare corners
+  bool acceptance = true;   ///< what chance may have brought together is dropped
 };
 
 /// A place the user knows to be the same: half-edge on half-edge (a face corner, or an edge of a face).
 using UserAnchor = Anchor;
 
 struct MatchOptions {
-  Algorithm algorithm = Algorithm::LazyGreedy;
+  Algorithm algorithm = Algorithm::Regions;
   OrientationChoice orientation = OrientationChoice::Auto;
-  /// Tried in this order, before any that are found; empty: find them (§4.1).
+  /// The paper's algorithms grow from the first that fits, and from none they find (§4.1); regions grows from all of
+  /// them, then from what it finds, and never overrules them.
   std::vector<UserAnchor> anchors = {};
   AnchorOptions anchor_search = {};
   /// Regions only: let positions, where both meshes have them, weigh in where connectivity leaves a choice.
   bool positions = true;
+  /// Regions only: leave out regions of which a smaller share of the extraordinary vertices agrees, 0 ... 1.
+  double least_confidence = 0;
+  /// Regions only: leave out regions of fewer faces.
+  std::uint32_t least_region = 1;
+  Stages stages = {};
   /// Keep the growth order wave by wave.
   bool waves = false;
   /// Called now and then with faces matched so far and the most there can be; returning false cancels.
@@ -54,7 +74,7 @@ struct MatchResult {
 ///
 /// @param source, target  any polygon meshes.
 /// @return      a sound match (see verify), of at most one region for the paper's algorithms; the same for the same
-///              input on every run. `match.complete` is false after a cancel.
+///              input on every run. `match.complete` is false after a cancel. `search` and `seed` are the paper's.
 /// @pre         user anchors name half-edges of the meshes, of faces with equal corner counts (see check_anchor).
 /// @par Cost    near linear in F in practice (docs/results.md); greedy is linear.
 [[nodiscard]] MatchResult match(const Mesh& source, const Mesh& target, const MatchOptions& options = {});

@@ -44,6 +44,11 @@ struct Evidence {
   std::uint32_t source_extraordinary = 0;
   std::uint32_t target_extraordinary = 0;
 
+  /// The share of extraordinary vertices touched that agree, in the mesh where it is larger; 1 where none is touched.
+  [[nodiscard]] double confidence() const {
+    const std::uint32_t touched = source_extraordinary < target_extraordinary ? source_extraordinary : target_extraordinary;
+    return touched == 0 ? 1.0 : static_cast<double>(agreeing) / touched;
+  }
   bool operator==(const Evidence&) const = default;
 };
 
@@ -54,6 +59,11 @@ struct Region {
   /// How many faces had been matched at the end of each wave, ascending; the last is faces.size(). Empty: not kept.
   std::vector<std::uint32_t> waves = {};
   Evidence evidence = {};
+  /// How many maps of these faces are as good, this one included; where counting them all would take long, at least so
+  /// many. More than 1: a symmetry, or several equal parts.
+  std::uint32_t ways = 1;
+  /// There are several ways, and positions did not choose among them: another map may be the true one.
+  bool ambiguous = false;
 };
 
 struct Match {

@@ -32,7 +32,7 @@ class Judge {
     const double needed = likelihood_.log_places() * (bench_.misfit.uses_lengths() ? 1 : 2);
     if (speaks + kVote * testimony.votes + kHopVote * testimony.hop_votes >= needed) return true;
     if (testimony.whole_component && disagreeing(pairs) == 0) return true;
-    if (testimony.votes + 0.67 * testimony.hop_votes >= 2) return true;
+    if (testimony.votes + 0.67 * testimony.hop_votes >= 2 || is_pinned(pairs)) return true;
     return has_evidence(pairs);
   }
 
@@ -58,6 +58,14 @@ class Judge {
       } while (s != pair.source);
     }
     return testimony;
+  }
+  [[nodiscard]] bool is_pinned(const std::vector<Candidate>& pairs) const {
+    const std::vector<Candidate>& pins = bench_.misfit.pins();
+    return std::any_of(pins.begin(), pins.end(), [&](const Candidate& pin) {
+      return std::any_of(pairs.begin(), pairs.end(), [&](const Candidate& pair) {
+        return source_.face(pair.source) == source_.face(pin.source);
+      });
+    });
   }
   [[nodiscard]] std::uint32_t disagreeing(const std::vector<Candidate>& pairs) const {
     std::uint32_t corners = 0;

@@ -1,6 +1,5 @@
 #include "assemble.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace quadmatch::regions {
@@ -23,28 +22,20 @@ class Assembly {
  public:
   explicit Assembly(const Sides& sides)
       : sides_(sides),
-        image_(sides.source.mesh.vertex_count()),
-        origin_(sides.target.mesh.vertex_count()),
         seen_(sides.source.mesh.vertex_count()) {}
 
   Region region_of(const Piece& piece, Orientation orientation) {
     Region region;
     region.orientation = orientation;
+    region.ways = piece.ways;
+    region.ambiguous = piece.ambiguous;
     region.faces.reserve(piece.pairs.size());
     seen_.start();
     for (const Candidate& pair : piece.pairs) {
       region.faces.push_back(face_pair(pair, orientation));
-      note_vertices(pair, region.evidence);
+      weigh_vertices(pair, region.evidence);
     }
     return region;
-  }
-
-  [[nodiscard]] std::vector<VertexPair> vertices() const {
-    std::vector<VertexPair> pairs;
-    for (std::uint32_t v = 0; v < image_.size(); ++v) {
-      if (image_[VertexId(v)].valid()) pairs.push_back({VertexId(v), image_[VertexId(v)]});
-    }
-    return pairs;
   }
 
  private:
@@ -57,8 +48,7 @@ class Assembly {
     // In the mirror corner k is corner n - 1 - k of the face as it was given (Mesh::mirrored).
     return {q, r, orientation == Orientation::Preserving ? corner : size - 1 - corner};
   }
-  /// Larger regions come first, and keep what they have.
-  void note_vertices(const Candidate& pair, Evidence& evidence) {
+  void weigh_vertices(const Candidate& pair, Evidence& evidence) {
     auto [s, t] = pair;
     do {
       const VertexId v = sides_.source.mesh.origin(s), w = sides_.target.mesh.origin(t);
@@ -67,10 +57,6 @@ class Assembly {
         evidence.source_extraordinary += left.extraordinary();
         evidence.target_extraordinary += right.extraordinary();
         evidence.agreeing += left.extraordinary() && left == right;
-        if (!image_[v].valid() && !origin_[w].valid()) {
-          image_[v] = w;
-          origin_[w] = v;
-        }
       }
       s = sides_.source.mesh.next(s);
       t = sides_.target.mesh.next(t);
@@ -78,23 +64,42 @@ class Assembly {
   }
 
   const Sides& sides_;
-  PerVertex<VertexId> image_, origin_;
   Seen seen_;
 };
 
 }  // namespace
 
 Match assemble(const Sides& sides, std::vector<Piece> pieces, Orientation orientation, bool with_waves) {
-  std::stable_sort(pieces.begin(), pieces.end(),
-                   [](const Piece& a, const Piece& b) { return a.pairs.size() > b.pairs.size(); });
   Assembly assembly(sides);
   Match match;
+  match.regions.reserve(pieces.size());
   for (Piece& piece : pieces) {
     match.regions.push_back(assembly.region_of(piece, orientation));
     if (with_waves) match.regions.back().waves = std::move(piece.waves);
   }
-  match.vertices = assembly.vertices();
   return match;
+}
+
+std::vector<VertexPair> combined_vertices(const Mesh& source, const Mesh& target, const std::vector<Region>& regions) {
+  PerVertex<VertexId> image(source.vertex_count()), origin(target.vertex_count());
+  for (const Region& region : regions) {
+    for (const FacePair& pair : region.faces) {
+      const std::uint32_t size = source.size(pair.source);
+      for (std::uint32_t corner = 0; corner < size; ++corner) {
+        const std::uint32_t other = image_corner(region.orientation, pair.rotation, corner, size);
+        const VertexId v = source.corners()[source.first(pair.source).value + corner];
+        const VertexId w = target.corners()[target.first(pair.target).value + other];
+        if (image[v].valid() || origin[w].valid()) continue;
+        image[v] = w;
+        origin[w] = v;
+      }
+    }
+  }
+  std::vector<VertexPair> pairs;
+  for (std::uint32_t v = 0; v < image.size(); ++v) {
+    if (image[VertexId(v)].valid()) pairs.push_back({VertexId(v), image[VertexId(v)]});
+  }
+  return pairs;
 }
 
 }  // namespace quadmatch::regions

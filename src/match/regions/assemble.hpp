@@ -1,5 +1,5 @@
 #pragma once
-/// From pieces to the match that users see: the largest region first, one vertex map, evidence.
+/// From pieces to the regions that users see, with their evidence, and to one vertex map.
 
 #include <vector>
 
@@ -11,6 +11,12 @@ namespace quadmatch::regions {
 
 /// @param pieces       sound, sharing no face.
 /// @param orientation  Reversing: the target was laid in its mirror image; rotations are given for it as it was.
+/// @return             regions in the order of the pieces; the vertex map is still empty.
 [[nodiscard]] Match assemble(const Sides& sides, std::vector<Piece> pieces, Orientation orientation, bool with_waves);
+
+/// The one-to-one vertex map of all regions, ascending by source; where they disagree the earlier one has its way.
+/// @param regions  from the largest.
+[[nodiscard]] std::vector<VertexPair> combined_vertices(const Mesh& source, const Mesh& target,
+                                                        const std::vector<Region>& regions);
 
 }  // namespace quadmatch::regions

@@ -1,18 +1,23 @@
+// Read from top to bottom, this is how regions are matched: equal parts, fire, and the stages that mend it.
+
 #include "engine.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "equal_parts.hpp"
 #include "fire.hpp"
 #include "ignition.hpp"
-#include "likelihood.hpp"
 #include "mending.hpp"
 #include "placement.hpp"
+#include "trial.hpp"
 
 namespace quadmatch::regions {
 namespace {
 
+/// Below it a region is almost always garbage.
 constexpr double kLeastConfidence = 0.6;
+constexpr int kMostRestarts = 3;
 
 /// Grow from all anchors that colours give, in rounds: what is matched makes others unique.
 void grow(const Sides& sides, const ColouredSpokes& colours, Fire& fire, const Patchwork& patchwork) {
@@ -35,82 +40,142 @@ void grow(const Sides& sides, const ColouredSpokes& colours, Fire& fire, const P
   fire.drop_unbelievable(kLeastConfidence);
 }
 
-/// Make the costs small: move what lies badly, match what was left over.
-void mend(Workbench& bench, const EngineOptions& options) {
-  const Stages& stages = options.stages;
-  const auto move = [&] {
-    if (stages.seams) move_seams(bench);
-  };
-  bench.misfit.calibrate(bench.patchwork);
-  move();
-  if (stages.ties) place(bench);
-  if (bench.misfit.is_placed() && settle_ties(bench) > 0) {
-    bench.misfit.calibrate(bench.patchwork);
-    move();
-  }
-  for (int round = 0; round < 2 && stages.slides; ++round) {
-    if (undo_slides(bench) == 0) break;
-    move();
-  }
-  drop_misfits(bench);
-  if (stages.slivers) match_slivers(bench);
-  for (int round = 0; round < 2 && stages.islands; ++round) {
-    if (match_islands(bench) == 0) break;
-    if (stages.slivers) match_slivers(bench);
-  }
-  move();
-  drop_misfits(bench);
-  if (stages.slivers) match_slivers(bench);
-}
+/// The stages, one after the other, on one workbench.
+class Engine {
+ public:
+  Engine(const Sides& sides, const MatchOptions& options, const EngineProgress& progress)
+      : sides_(sides),
+        stages_(options.stages),
+        progress_(progress),
+        patchwork_(sides.source.mesh, sides.target.mesh),
+        misfit_(sides, options.positions),
+        ghost_(sides, patchwork_),
+        bench_{sides, patchwork_, misfit_, ghost_},
+        colours_(colour_both(sides)) {}
 
-constexpr int kMostRestarts = 3;
-
-/// Is at most a little left free in one of the meshes?
-bool leaves_little(const Workbench& bench) {
-  const std::size_t faces = std::min(bench.sides.source.mesh.face_count(), bench.sides.target.mesh.face_count());
-  return 1000 * bench.patchwork.matched_faces() >= 985 * faces;
-}
-
-/// Everything after the equal parts: fire, and what mends it.
-void match_unequal(Workbench& bench, const ColouredSpokes& colours, EqualParts& equal, const EngineOptions& options) {
-  {
-    Fire fire(bench.sides, bench.patchwork);
-    grow(bench.sides, colours, fire, bench.patchwork);
-    fire.settle();
-  }
-  split(bench.sides, bench.patchwork);
-  equal.lay_repeated();
-  mend(bench, options);
-  for (int round = 0; round < kMostRestarts && options.stages.restarts; ++round) {
-    if (leaves_little(bench)) break;
-    std::size_t matched = restart(bench);
-    if (matched == 0 && bench.patchwork.matched_faces() == 0) {
-      bench.misfit.assume();  // there is nothing to learn lengths from, and nothing to lose
-      matched = restart(bench);
+  Outcome run(const std::vector<Anchor>& anchors) {
+    lay_anchors(anchors);
+    EqualParts equal(bench_, colours_);
+    if (stages_.equal_parts) equal.lay_single();
+    if (patchwork_.matched_faces() < most_faces()) {
+      match_unequal(equal);
+    } else if (misfit_.may_use_positions() && !lies_well(bench_)) {
+      mend();
     }
-    if (matched == 0) break;
-    mend(bench, options);
+    Outcome outcome{split(sides_, patchwork_), !cancelled_};
+    mark_ties(equal.ties(), outcome.pieces);
+    return outcome;
   }
-  if (options.stages.acceptance) drop_unlikely(bench);
-}
+
+ private:
+  [[nodiscard]] std::uint32_t most_faces() const {
+    return std::min(sides_.source.mesh.face_count(), sides_.target.mesh.face_count());
+  }
+  /// @return true to go on.
+  bool report() {
+    cancelled_ = cancelled_ || (progress_ && !progress_(patchwork_.matched_faces()));
+    return !cancelled_;
+  }
+
+  /// The user knows better: grow from each anchor first, and let nothing move it.
+  void lay_anchors(const std::vector<Anchor>& anchors) {
+    std::vector<Candidate> pins;
+    for (const Anchor& anchor : anchors) {
+      if (!grow_trial(bench_, anchor, {.most_faces = most_faces(), .cover_disagreeing = false, .any_seed = true})) continue;
+      pinned_.push_back(patchwork_.region_count());
+      keep_trial(bench_);
+      pins.push_back(anchor);
+    }
+    misfit_.pin(std::move(pins));
+  }
+
+  /// Everything after the equal parts: fire, and what mends it.
+  void match_unequal(EqualParts& equal) {
+    {
+      Fire fire(sides_, patchwork_);
+      for (const std::uint32_t region : pinned_) fire.protect(region);
+      grow(sides_, colours_, fire, patchwork_);
+      fire.settle();
+    }
+    if (!report()) return;
+    split(sides_, patchwork_);
+    if (stages_.equal_parts) equal.lay_repeated();
+    mend();
+    for (int round = 0; round < kMostRestarts && stages_.restarts && report(); ++round) {
+      if (leaves_little() || !start_again()) break;
+      mend();
+    }
+    if (stages_.acceptance) drop_unlikely(bench_);
+  }
+
+  /// Make the costs small: move what lies badly, match what was left over.
+  void mend() {
+    misfit_.calibrate(patchwork_);
+    move();
+    if (stages_.ties) place(bench_);
+    if (misfit_.is_placed() && settle_ties(bench_) > 0) {
+      misfit_.calibrate(patchwork_);
+      move();
+    }
+    for (int round = 0; round < 2 && stages_.slides && report(); ++round) {
+      if (undo_slides(bench_) == 0) break;
+      move();
+    }
+    drop_misfits(bench_);
+    if (stages_.slivers) match_slivers(bench_);
+    for (int round = 0; round < 2 && stages_.islands && report(); ++round) {
+      if (match_islands(bench_) == 0) break;
+      if (stages_.slivers) match_slivers(bench_);
+    }
+    move();
+    drop_misfits(bench_);
+    if (stages_.slivers) match_slivers(bench_);
+  }
+  void move() {
+    if (stages_.seams && report()) move_seams(bench_);
+  }
+
+  /// Is at most a little left free in one of the meshes?
+  [[nodiscard]] bool leaves_little() const { return 1000 * patchwork_.matched_faces() >= 985ULL * most_faces(); }
+
+  bool start_again() {
+    if (restart(bench_) > 0) return true;
+    if (patchwork_.matched_faces() > 0) return false;
+    misfit_.assume();  // there is nothing to learn lengths from, and nothing to lose
+    return restart(bench_) > 0;
+  }
+
+  /// Tell the pieces that were laid whole in one of several ways.
+  void mark_ties(const std::vector<Tie>& ties, std::vector<Piece>& pieces) const {
+    std::vector<std::uint32_t> piece_of(patchwork_.region_count(), 0);
+    for (std::uint32_t number = 0; number < pieces.size(); ++number) {
+      piece_of[patchwork_.region(sides_.source.mesh.face(pieces[number].pairs.front().source))] = number;
+    }
+    for (const Tie& tie : ties) {
+      if (!patchwork_.is_matched(tie.face)) continue;
+      Piece& piece = pieces[piece_of[patchwork_.region(tie.face)]];
+      piece.ways = tie.ways;
+      piece.ambiguous = !tie.by_positions;
+    }
+  }
+
+  const Sides& sides_;
+  const Stages& stages_;
+  const EngineProgress& progress_;
+  Patchwork patchwork_;
+  Misfit misfit_;
+  Ghost ghost_;
+  Workbench bench_;
+  ColouredSpokes colours_;
+  std::vector<std::uint32_t> pinned_;
+  bool cancelled_ = false;
+};
 
 }  // namespace
 
-std::vector<Piece> match_regions(const Sides& sides, const EngineOptions& options) {
-  Patchwork patchwork(sides.source.mesh, sides.target.mesh);
-  Misfit misfit(sides, options.positions);
-  Ghost ghost(sides, patchwork);
-  Workbench bench{sides, patchwork, misfit, ghost};
-  const ColouredSpokes colours = colour_both(sides);
-  EqualParts equal(bench, colours);
-  equal.lay_single();
-  const std::uint32_t most = std::min(sides.source.mesh.face_count(), sides.target.mesh.face_count());
-  if (patchwork.matched_faces() < most) {
-    match_unequal(bench, colours, equal, options);
-  } else if (misfit.may_use_positions() && !lies_well(bench)) {
-    mend(bench, options);
-  }
-  return split(sides, patchwork);
+Outcome match_regions(const Sides& sides, const MatchOptions& options, const std::vector<Anchor>& anchors,
+                      const EngineProgress& progress) {
+  return Engine(sides, options, progress).run(anchors);
 }
 
 }  // namespace quadmatch::regions

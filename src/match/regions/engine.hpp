@@ -1,30 +1,29 @@
 #pragma once
 /// The regions engine: many anchors, many regions, belief by evidence. One function, its stages in order.
 
+#include <cstddef>
+#include <functional>
 #include <vector>
+
+#include <quadmatch/match/matcher.hpp>
 
 #include "split.hpp"
 
 namespace quadmatch::regions {
 
-/// Which of the later stages are to run, for comparison.
-struct Stages {
-  bool seams = true;
-  bool slivers = true;
-  bool islands = true;
-  bool slides = true;
-  bool ties = true;
-  bool restarts = true;
-  bool acceptance = true;
+/// Called with the faces matched so far; false cancels.
+using EngineProgress = std::function<bool(std::size_t matched)>;
+
+/// What came of it.
+struct Outcome {
+  /// Sound, and no two share a face.
+  std::vector<Piece> pieces;
+  bool complete = true;
 };
 
-struct EngineOptions {
-  /// Let edge lengths and distances weigh in where evidence is thin.
-  bool positions = true;
-  Stages stages = {};
-};
-
-/// Match two meshes, orientation preserving. @return sound pieces that share no face.
-[[nodiscard]] std::vector<Piece> match_regions(const Sides& sides, const EngineOptions& options);
+/// Match two meshes, orientation preserving.
+/// @param anchors  the user's, of this laying; never overruled.
+[[nodiscard]] Outcome match_regions(const Sides& sides, const MatchOptions& options, const std::vector<Anchor>& anchors,
+                                    const EngineProgress& progress);
 
 }  // namespace quadmatch::regions

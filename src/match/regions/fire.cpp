@@ -58,6 +58,9 @@ Fire::Fire(const Sides& sides, Patchwork& patchwork)
   for (std::uint32_t v = 0; v < target_.vertex_count(); ++v) {
     target_vertices_[VertexId(v)].code = sides.target.code(VertexId(v));
   }
+  if (patchwork.matched_faces() == 0) return;
+  recount();
+  rekindle();
 }
 
 std::uint32_t Fire::find(std::uint32_t region) {
@@ -284,12 +287,12 @@ void Fire::push_neighbours(Candidate candidate, std::uint32_t distance) {
 
 std::size_t Fire::drop_unbelievable(double least_confidence) {
   std::vector<bool> dropped(parent_.size(), false);
-  bool any = false;
   for (std::uint32_t region = 0; region < parent_.size(); ++region) {
     if (parent_[region] != region || accounts_[region].faces == 0) continue;
     dropped[region] = !believable(accounts_[region], least_confidence);
-    any = any || dropped[region];
   }
+  for (const std::uint32_t region : protected_) dropped[find(region)] = false;
+  const bool any = std::find(dropped.begin(), dropped.end(), true) != dropped.end();
   if (!any) return 0;
   const std::size_t before = patchwork_.matched_faces();
   for (const HalfedgeId entry : patchwork_.history()) {

@@ -35,7 +35,10 @@ struct Account {
 
 class Fire {
  public:
+  /// @param patchwork  what is matched already stays, and burns on where it can.
   Fire(const Sides& sides, Patchwork& patchwork);
+  /// Never drop this region.
+  void protect(std::uint32_t region) { protected_.push_back(region); }
 
   /// Light these when their time comes. @param sparks  by handicap, ascending; ties burn in this order.
   void light(std::vector<Spark> sparks);
@@ -105,6 +108,7 @@ class Fire {
   std::vector<Bucket> buckets_;
   std::uint32_t current_ = 0;
   std::vector<Deferred> deferred_;
+  std::vector<std::uint32_t> protected_;
   std::vector<Spark> sparks_;
   std::size_t next_spark_ = 0;
 };

@@ -134,7 +134,24 @@ std::uint32_t Misfit::disagreeing_corners(Candidate pair) const {
   return disagreeing;
 }
 
+double Misfit::cost_by_pins(Candidate pair) const {
+  constexpr double kDecides = 1000;
+  const Mesh& source = sides_.source.mesh;
+  const Mesh& target = sides_.target.mesh;
+  for (const Candidate& pin : pins_) {
+    const FaceId q = source.face(pin.source), r = target.face(pin.target);
+    if (source.face(pair.source) != q && target.face(pair.target) != r) continue;
+    const std::uint32_t steps = source.corner(pin.source) + source.size(q) - source.corner(pair.source);
+    const bool same = source.face(pair.source) == q && turned(target, pair.target, steps) == pin.target;
+    return same ? -kDecides : kDecides;
+  }
+  return 0;
+}
+
 double Misfit::cost(Candidate pair) const {
+  if (!pins_.empty()) {
+    if (const double decided = cost_by_pins(pair); decided != 0) return decided;
+  }
   const double disagreeing = disagreeing_corners(pair);
   const double away = placement_ ? kAway * std::min(1.0, distance(pair)) : 0;
   if (!uses_lengths_) return std::min(kUnmatched - 0.02, 0.3 * disagreeing + away);

@@ -2,6 +2,7 @@
 /// How badly a face lies on another: corners that disagree, and edge lengths, which survive posing.
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "patchwork.hpp"
@@ -43,6 +44,9 @@ class Misfit {
   /// something.
   void calibrate(const Patchwork& patchwork);
 
+  /// What the user said: these pairs cost nothing, and any other for the same faces more than can be gained.
+  void pin(std::vector<Candidate> pairs) { pins_ = std::move(pairs); }
+  [[nodiscard]] const std::vector<Candidate>& pins() const { return pins_; }
   /// Let distance decide between equals.
   /// @param placement  of the source in the space of the target; nothing: distances mean nothing.
   /// @param edge       the length of a target edge, the unit of distance.
@@ -73,6 +77,7 @@ class Misfit {
  private:
   [[nodiscard]] double raw_error(Candidate pair) const;
   [[nodiscard]] bool load_lengths();
+  [[nodiscard]] double cost_by_pins(Candidate pair) const;
 
   const Sides& sides_;
   bool with_positions_;
@@ -81,6 +86,7 @@ class Misfit {
   bool learnt_ = false;
   double scale_ = 0.0;  // log of target size by source size
   double sigma_ = 1.0;
+  std::vector<Candidate> pins_;
   std::optional<Similarity> placement_;
   double edge_ = 1.0;
 };

@@ -12,6 +12,9 @@ struct Piece {
   std::vector<Candidate> pairs;
   /// How many pairs had been reached at the end of each wave.
   std::vector<std::uint32_t> waves;
+  /// How many maps are as good, and whether none of them is better (see Region).
+  std::uint32_t ways = 1;
+  bool ambiguous = false;
 };
 
 /// Walk every region of a patchwork from the first of its faces that was matched, and keep what is connected, maps

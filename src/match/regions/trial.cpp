@@ -9,7 +9,7 @@ class Trial {
 
   bool grow(Candidate seed) {
     bench_.ghost.restart();
-    if (!is_free(seed) || !take(seed)) return false;
+    if (!is_free(seed) || !take_seed(seed)) return false;
     const std::vector<Candidate>& pairs = bench_.ghost.pairs();
     for (std::size_t here = 0; here < pairs.size() && pairs.size() < rules_.most_faces; ++here) {
       const Candidate pair = pairs[here];  // the vector grows
@@ -22,6 +22,12 @@ class Trial {
   [[nodiscard]] bool is_free(Candidate pair) const {
     return !bench_.patchwork.is_matched(source_.face(pair.source)) &&
            !bench_.patchwork.is_taken(target_.face(pair.target));
+  }
+  bool take_seed(Candidate seed) {
+    if (!rules_.any_seed) return take(seed);
+    if (!bench_.ghost.fits(seed)) return false;
+    bench_.ghost.accept(seed);
+    return true;
   }
   bool take(Candidate pair) {
     if (!bench_.ghost.fits(pair)) return false;

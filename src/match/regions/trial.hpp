@@ -13,6 +13,8 @@ struct TrialRules {
   double worst_error = 4.0;
   /// Without: grow only from faces whose corners all agree, and cover at most the next beyond.
   bool cover_disagreeing = true;
+  /// Take the seed itself, however badly it lies, and grow from it.
+  bool any_seed = false;
 };
 
 /// Grow the bench's ghost from a pair, over free faces only. @return false if not even the first fits.
