@@ -31,9 +31,7 @@ std::optional<MeshFile> accepted(Expected<MeshFile> file, bool remarks) {
 
 }  // namespace
 
-std::optional<MeshFile> read_input(const std::string& path, bool remarks) {
-  return accepted(read_mesh(path), remarks);
-}
+std::optional<MeshFile> read_input(const std::string& path, bool remarks) { return accepted(read_mesh(path), remarks); }
 
 std::optional<InputPair> read_inputs(const std::string& source, const std::string& target, bool remarks,
                                      std::uint32_t threads) {

@@ -213,9 +213,10 @@ void add_match_command(CLI::App& program, Action& chosen) {
   verb->add_option("B", arguments->target, "Target mesh")->required()->type_name("FILE");
   verb->add_option("-o,--output", arguments->output, "Match file to write (JSON); - or none: standard output")
       ->type_name("FILE");
-  verb->add_option("--algorithm", arguments->algorithm,
-                   "regions: many anchors, many regions, belief by evidence. The paper's, of one region: lazy-greedy, the "
-                   "largest compatible component first; greedy, every face that fits, wave by wave")
+  verb->add_option(
+          "--algorithm", arguments->algorithm,
+          "regions: many anchors, many regions, belief by evidence. The paper's, of one region: lazy-greedy, the "
+          "largest compatible component first; greedy, every face that fits, wave by wave")
       ->check(one_of(kAlgorithms))
       ->type_name("NAME")
       ->capture_default_str();

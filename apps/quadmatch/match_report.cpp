@@ -84,9 +84,9 @@ void add_regions(Lines& lines, const std::vector<RegionReport>& regions) {
   if (shown == regions.size()) return;
   std::uint64_t faces = 0;
   for (std::size_t k = shown; k < regions.size(); ++k) faces += regions[k].faces;
-  lines.add("", fmt::format("and {} more of {} to {}, {} in all", regions.size() - shown,
-                            counted(regions.back().faces, "face"), grouped(regions[shown].faces),
-                            counted(faces, "face")));
+  lines.add("",
+            fmt::format("and {} more of {} to {}, {} in all", regions.size() - shown,
+                        counted(regions.back().faces, "face"), grouped(regions[shown].faces), counted(faces, "face")));
 }
 
 /// What a modeller should look at before data is carried over.
@@ -95,9 +95,10 @@ std::string doubts_of(const MatchReport& report) {
   if (faces == 0) return {};
   const auto parts = std::count_if(report.regions.begin(), report.regions.end(),
                                    [](const RegionReport& region) { return region.ambiguous; });
-  return fmt::format("{} in {} could as well lie otherwise: the part is symmetric, or one of several that are equal, and "
-                     "nothing says which is which; an --anchor on it would",
-                     counted(faces, "face"), counted(static_cast<std::uint64_t>(parts), "region"));
+  return fmt::format(
+      "{} in {} could as well lie otherwise: the part is symmetric, or one of several that are equal, and "
+      "nothing says which is which; an --anchor on it would",
+      counted(faces, "face"), counted(static_cast<std::uint64_t>(parts), "region"));
 }
 
 std::string describe(const SideReport& side) {

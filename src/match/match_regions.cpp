@@ -1,6 +1,7 @@
 #include "match_regions.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <quadmatch/analysis/skeleton.hpp>
@@ -25,8 +26,7 @@ struct Analysis {
   [[nodiscard]] regions::Side side() const { return {mesh, codes, separatrices}; }
 };
 
-Match match_laid(const Analysis& source, const Analysis& target, const MatchOptions& options,
-                 Orientation orientation) {
+Match match_laid(const Analysis& source, const Analysis& target, const MatchOptions& options, Orientation orientation) {
   const regions::Sides sides{source.side(), target.side()};
   regions::EngineProgress progress;
   if (options.progress) {
@@ -62,11 +62,61 @@ bool has_free_component(const Mesh& mesh, const Match& match, FaceId FacePair::*
   return std::find(free.begin(), free.end(), true) != free.end();
 }
 
-/// Is the mirror worth a look: is a quarter left unmatched, or a whole component of each mesh?
+/// Is the mirror worth a look: is a quarter left unmatched, or a whole component of each mesh, or anything at all where
+/// the meshes have so much in common that one may be the mirror image of the other?
 bool leaves_much_unmatched(const Match& match, const Mesh& source, const Mesh& target) {
   const std::size_t most = std::min(source.face_count(), target.face_count());
-  return 4 * match.matched_faces() < 3 * most || (has_free_component(source, match, &FacePair::source) &&
-                                                  has_free_component(target, match, &FacePair::target));
+  if (source.face_count() == target.face_count() && match.matched_faces() < most) return true;
+  return 4 * match.matched_faces() < 3 * most ||
+         (has_free_component(source, match, &FacePair::source) && has_free_component(target, match, &FacePair::target));
+}
+
+/// How far the lengths of matched edges differ, as a share, in the middle of a sample; 0 where positions are not to be
+/// looked at. A shoe lies on its mirror image either way round as connectivity goes, but only one way as lengths go.
+double length_disagreement(const Mesh& source, const Mesh& target, const Match& match, const MatchOptions& options) {
+  constexpr std::size_t kSamples = 500;
+  if (!options.positions || source.positions().empty() || target.positions().empty()) return 0;
+  const auto log_length = [](const Mesh& mesh, FaceId face, std::uint32_t from, std::uint32_t to) {
+    const std::uint32_t first = mesh.first(face).value;
+    const Point& a = mesh.positions()[mesh.corners()[first + from].value];
+    const Point& b = mesh.positions()[mesh.corners()[first + to].value];
+    return std::log(std::max(1e-30, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2])));
+  };
+  std::vector<double> differences;
+  const std::size_t step = match.matched_faces() / kSamples + 1;
+  std::size_t count = 0;
+  for (const Region& region : match.regions) {
+    for (const FacePair& pair : region.faces) {
+      if (count++ % step != 0) continue;
+      const std::uint32_t size = source.size(pair.source);
+      for (std::uint32_t corner = 0; corner < size; ++corner) {
+        const auto image = [&](std::uint32_t c) { return image_corner(region.orientation, pair.rotation, c, size); };
+        const std::uint32_t next = (corner + 1) % size;
+        differences.push_back(log_length(target, pair.target, image(corner), image(next)) -
+                              log_length(source, pair.source, corner, next));
+      }
+    }
+  }
+  if (differences.empty()) return 0;
+  const auto middle = [&] {
+    const auto place = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
+    std::nth_element(differences.begin(), place, differences.end());
+    return *place;
+  };
+  const double scale = middle();
+  for (double& difference : differences) difference = std::abs(difference - scale);
+  return middle();
+}
+
+/// Lengths that differ by more than this may be those of a mirror image; or of a posed model, so both are tried.
+constexpr double kDoubtful = 0.03;
+
+/// Larger is better; of matches nearly as large the one whose lengths fit clearly better.
+bool is_better(const Match& match, double off, const Match& other, double other_off) {
+  const auto faces = static_cast<double>(match.matched_faces()), others = static_cast<double>(other.matched_faces());
+  if (faces > 0.9 * others && off < 0.5 * other_off - 0.01) return true;
+  if (others > 0.9 * faces && other_off < 0.5 * off - 0.01) return false;
+  return faces > others;
 }
 
 /// Take those regions of another match into components that this one left wholly free.
@@ -100,12 +150,15 @@ Match match_regions(const Mesh& source, const Mesh& target, const MatchOptions& 
     return finished(match_mirrored(left, target, options), source, target, options);
   }
   Match match = match_laid(left, Analysis(target), options, Orientation::Preserving);
-  if (options.orientation == OrientationChoice::Auto && match.complete &&
-      leaves_much_unmatched(match, source, target)) {
-    Match mirrored = match_mirrored(left, target, options);
-    if (mirrored.matched_faces() > match.matched_faces()) std::swap(match, mirrored);
-    fill_free_components(match, mirrored, source, target);
-    match.complete = match.complete && mirrored.complete;
+  if (options.orientation == OrientationChoice::Auto && match.complete) {
+    const double off = length_disagreement(source, target, match, options);
+    if (off > kDoubtful || leaves_much_unmatched(match, source, target)) {
+      Match mirrored = match_mirrored(left, target, options);
+      const double mirrored_off = length_disagreement(source, target, mirrored, options);
+      if (is_better(mirrored, mirrored_off, match, off)) std::swap(match, mirrored);
+      fill_free_components(match, mirrored, source, target);
+      match.complete = match.complete && mirrored.complete;
+    }
   }
   return finished(std::move(match), source, target, options);
 }

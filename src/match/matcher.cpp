@@ -77,6 +77,23 @@ MatchResult match_mirrored(const Analysis& source, const Mesh& target, MatchOpti
   return result;
 }
 
+/// The first of the user's anchors that is in a match.
+Anchor first_matched(const Match& match, const Mesh& source, const Mesh& target,
+                     const std::vector<UserAnchor>& anchors) {
+  for (const UserAnchor& anchor : anchors) {
+    const FaceId q = source.face(anchor.source), r = target.face(anchor.target);
+    for (const Region& region : match.regions) {
+      const auto lies_so = [&](const FacePair& pair) {
+        return pair.source == q && pair.target == r &&
+               image_corner(region.orientation, pair.rotation, source.corner(anchor.source), source.size(q)) ==
+                   target.corner(anchor.target);
+      };
+      if (std::any_of(region.faces.begin(), region.faces.end(), lies_so)) return anchor;
+    }
+  }
+  return {};
+}
+
 /// `Auto` looks in the mirror when most of both meshes stayed unmatched...
 bool leaves_most_unmatched(const Match& match, const Mesh& source, const Mesh& target) {
   return 2 * match.matched_faces() < std::min(source.face_count(), target.face_count());
@@ -88,7 +105,11 @@ bool is_far_larger(const Match& match, const Match& other) { return match.matche
 }  // namespace
 
 MatchResult match(const Mesh& source, const Mesh& target, const MatchOptions& options) {
-  if (options.algorithm == Algorithm::Regions) return {.match = match_regions(source, target, options), .search = {}, .seed = {}};
+  if (options.algorithm == Algorithm::Regions) {
+    MatchResult result{.match = match_regions(source, target, options), .search = {}, .seed = {}};
+    result.seed = first_matched(result.match, source, target, options.anchors);
+    return result;
+  }
   const Analysis left(source, options.anchors.empty());
   if (options.orientation == OrientationChoice::Reversing) return match_mirrored(left, target, options);
 

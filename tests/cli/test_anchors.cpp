@@ -17,7 +17,8 @@ namespace {
 
 /// Match two files from an anchor; the regions found.
 std::vector<Region> regions(const Folder& folder, const std::vector<std::string>& options) {
-  std::vector<std::string> arguments{"match", "a.obj", "b.obj", "-o", "m.json", "--quiet"};
+  std::vector<std::string> arguments{"match",  "a.obj",   "b.obj",       "-o",
+                                     "m.json", "--quiet", "--algorithm", "lazy-greedy"};
   arguments.insert(arguments.end(), options.begin(), options.end());
   const Outcome outcome = folder.run(arguments);
   CHECK(outcome.err.empty());

@@ -51,7 +51,7 @@ TEST_CASE("the help of every verb has a usage line, options, examples and exit s
 
 TEST_CASE("the help of match states defaults and shows every form of an anchor") {
   const Outcome help = Folder().run({"match", "--help"});
-  for (const char* part : {"(default: lazy-greedy)", "(default: auto)", "(default: 10)", "--anchor 12:0=90:1",
+  for (const char* part : {"(default: regions)", "(default: auto)", "(default: 10)", "--anchor 12:0=90:1",
                            "--anchor 5-6=31-30", "--anchor 5=31", "1 nothing matched"}) {
     CAPTURE(part);
     CHECK(contains(help.out, part));
@@ -83,7 +83,7 @@ TEST_CASE("wrong usage is one line on standard error with a hint, and exit statu
       {{"match", "a", "b", "--fast"}, "The following argument was not expected: --fast; see quadmatch match --help"},
       {{"match", "a", "b", "--rounds", "many"}, "Could not convert: --rounds = many; see quadmatch match --help"},
       {{"match", "a", "b", "--algorithm", "x"},
-       "--algorithm: x not in {greedy,lazy-greedy}; see quadmatch match --help"},
+       "--algorithm: x not in {greedy,lazy-greedy,regions}; see quadmatch match --help"},
       {{"match", "a", "b", "--orientation", "x"},
        "--orientation: x not in {auto,preserving,reversing}; see quadmatch match --help"},
   };

@@ -97,8 +97,11 @@ TEST_CASE("--json prints figures on standard output") {
   CHECK(figures.at("regions").size() == 1);
   CHECK(figures.at("regions").at(0).at("orientation") == "preserving");
   CHECK(figures.at("regions").at(0).at("evidence").at("agreeing") == 6);
-  CHECK(figures.at("anchor").at("found_by") == "colour");
-  CHECK(figures.at("settings").at("algorithm") == "lazy-greedy");
+  CHECK(figures.at("regions").at(0).at("confidence") == 1.0);
+  CHECK(figures.at("regions").at(0).at("ambiguous") == false);
+  CHECK(figures.at("ambiguous_faces") == 0);
+  CHECK(figures.at("anchor").is_null());
+  CHECK(figures.at("settings").at("algorithm") == "regions");
   CHECK(figures.at("milliseconds").at("matching").get<double>() >= 0.0);
   CHECK(figures.at("output") == "m.json");
 }

@@ -116,7 +116,7 @@ TEST_CASE("fields of others are passed over, in any order and depth") {
       with(" \"regions\": [{",
            " \"statistics\": {\"faces\": [[1, {\"regions\": [null, -1.5]}]], \"source\": 3}, \"n\": null, \"x\": -1,\n"
            " \"settings\": {\"rounds\": 10, \"deep\": {\"a\": [\"b\"]}, \"algorithm\": \"greedy\", \"fast\": true},\n"
-           " \"regions\": [{\"ambiguous\": [[0]], \"note\": \"hm\", \"confidence\": 0.5, "));
+           " \"regions\": [{\"doubtful\": [[0]], \"note\": \"hm\", \"confidence\": 0.5, "));
   CHECK(file.match.matched_faces() == 2);
   CHECK(file.settings == std::vector<std::pair<std::string, std::string>>{{"algorithm", "greedy"}});
 }

@@ -49,6 +49,7 @@ const test::PlainComponent* component_of(const test::PlainGraph& graph, const Me
 /// Replay a lazy-greedy match wave by wave.
 void check_waves(const Mesh& source, const Mesh& target, const MatchOptions& given = {}) {
   MatchOptions options = given;
+  options.algorithm = Algorithm::LazyGreedy;
   options.waves = true;
   options.orientation = OrientationChoice::Preserving;
   const Match match = quadmatch::match(source, target, options).match;

@@ -9,6 +9,7 @@
 namespace quadmatch {
 namespace {
 
+/// The paper's, of one region.
 constexpr Algorithm kAlgorithms[] = {Algorithm::Greedy, Algorithm::LazyGreedy};
 constexpr OrientationChoice kOrientations[] = {OrientationChoice::Preserving, OrientationChoice::Reversing,
                                                OrientationChoice::Auto};
@@ -133,10 +134,12 @@ TEST_CASE("a mirror image is matched whole when asked for reversing, or when pre
 TEST_CASE("a user's anchor is where growth starts, whatever the colours say") {
   const Mesh torus = test::build(shapes::torus(6, 5));
   const UserAnchor anchor{torus.first(FaceId(3)), HalfedgeId(torus.first(FaceId(11)).value + 2)};
-  const MatchResult result = judged(torus, torus, {.anchors = {anchor}});
-  CHECK(result.seed == anchor);
-  CHECK(result.match.matched_faces() == torus.face_count());
-  CHECK(result.match.regions.front().faces.front() == FacePair{FaceId(3), FaceId(11), 2});
+  for (const Algorithm algorithm : {Algorithm::Greedy, Algorithm::LazyGreedy, Algorithm::Regions}) {
+    const MatchResult result = judged(torus, torus, {.algorithm = algorithm, .anchors = {anchor}});
+    CHECK(result.seed == anchor);
+    CHECK(result.match.matched_faces() == torus.face_count());
+    CHECK(result.match.regions.front().faces.front() == FacePair{FaceId(3), FaceId(11), 2});
+  }
 }
 
 TEST_CASE("a user's anchor names corners, in a reversing match too") {
@@ -171,7 +174,10 @@ TEST_CASE("evidence: extraordinary vertices that are touched, and those of them 
   // Laid askew on a grid, the corner of a cube agrees with nothing.
   const Mesh grid = test::build(shapes::grid(3, 3));
   const Evidence askew =
-      judged(cube, grid, {.anchors = {{cube.first(FaceId(0)), grid.first(FaceId(4))}}}).match.regions.front().evidence;
+      judged(cube, grid,
+             {.algorithm = Algorithm::LazyGreedy, .anchors = {{cube.first(FaceId(0)), grid.first(FaceId(4))}}})
+          .match.regions.front()
+          .evidence;
   CHECK(askew.agreeing == 0);
   CHECK(askew.source_extraordinary > 0);
 }

@@ -46,7 +46,8 @@ struct Evidence {
 
   /// The share of extraordinary vertices touched that agree, in the mesh where it is larger; 1 where none is touched.
   [[nodiscard]] double confidence() const {
-    const std::uint32_t touched = source_extraordinary < target_extraordinary ? source_extraordinary : target_extraordinary;
+    const std::uint32_t touched =
+        source_extraordinary < target_extraordinary ? source_extraordinary : target_extraordinary;
     return touched == 0 ? 1.0 : static_cast<double>(agreeing) / touched;
   }
   bool operator==(const Evidence&) const = default;

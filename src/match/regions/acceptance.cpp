@@ -62,9 +62,8 @@ class Judge {
   [[nodiscard]] bool is_pinned(const std::vector<Candidate>& pairs) const {
     const std::vector<Candidate>& pins = bench_.misfit.pins();
     return std::any_of(pins.begin(), pins.end(), [&](const Candidate& pin) {
-      return std::any_of(pairs.begin(), pairs.end(), [&](const Candidate& pair) {
-        return source_.face(pair.source) == source_.face(pin.source);
-      });
+      return std::any_of(pairs.begin(), pairs.end(),
+                         [&](const Candidate& pair) { return source_.face(pair.source) == source_.face(pin.source); });
     });
   }
   [[nodiscard]] std::uint32_t disagreeing(const std::vector<Candidate>& pairs) const {

@@ -20,9 +20,7 @@ class Seen {
 
 class Assembly {
  public:
-  explicit Assembly(const Sides& sides)
-      : sides_(sides),
-        seen_(sides.source.mesh.vertex_count()) {}
+  explicit Assembly(const Sides& sides) : sides_(sides), seen_(sides.source.mesh.vertex_count()) {}
 
   Region region_of(const Piece& piece, Orientation orientation) {
     Region region;

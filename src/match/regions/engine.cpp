@@ -59,7 +59,7 @@ class Engine {
     if (stages_.equal_parts) equal.lay_single();
     if (patchwork_.matched_faces() < most_faces()) {
       match_unequal(equal);
-    } else if (misfit_.may_use_positions() && !lies_well(bench_)) {
+    } else if (anchors.empty() && misfit_.may_use_positions() && !lies_well(bench_)) {
       mend();
     }
     Outcome outcome{split(sides_, patchwork_), !cancelled_};
@@ -81,7 +81,8 @@ class Engine {
   void lay_anchors(const std::vector<Anchor>& anchors) {
     std::vector<Candidate> pins;
     for (const Anchor& anchor : anchors) {
-      if (!grow_trial(bench_, anchor, {.most_faces = most_faces(), .cover_disagreeing = false, .any_seed = true})) continue;
+      if (!grow_trial(bench_, anchor, {.most_faces = most_faces(), .cover_disagreeing = false, .any_seed = true}))
+        continue;
       pinned_.push_back(patchwork_.region_count());
       keep_trial(bench_);
       pins.push_back(anchor);
@@ -112,7 +113,7 @@ class Engine {
   void mend() {
     misfit_.calibrate(patchwork_);
     move();
-    if (stages_.ties) place(bench_);
+    if (stages_.ties && pinned_.empty()) place(bench_);  // a user who anchors settles ties
     if (misfit_.is_placed() && settle_ties(bench_) > 0) {
       misfit_.calibrate(patchwork_);
       move();
