@@ -8,8 +8,8 @@
 namespace quadmatch::regions {
 namespace {
 
-/// Faces grown in trials at most, by faces of the source.
-constexpr std::size_t kBudget = 12;
+/// Faces grown at most while the maps of one part are tried: by its faces, and beside that for the smallest.
+constexpr std::size_t kBudget = 12, kLeastBudget = 2048;
 /// Maps of one part that are tried at most.
 constexpr std::size_t kMostWays = 64;
 
@@ -55,8 +55,7 @@ EqualParts::EqualParts(Workbench& bench, const ColouredSpokes& colours)
     : bench_(bench),
       colours_(colours),
       source_parts_(parts_of(bench.sides.source, colours.source_with_lengths)),
-      target_parts_(parts_of(bench.sides.target, colours.target_with_lengths)),
-      budget_(kBudget * bench.sides.source.mesh.face_count()) {
+      target_parts_(parts_of(bench.sides.target, colours.target_with_lengths)) {
   using Entry = std::tuple<std::uint64_t, std::uint32_t, std::uint32_t>;  // signature, faces, part
   const auto sorted = [](const std::vector<Part>& parts) {
     std::vector<Entry> entries;
@@ -180,13 +179,15 @@ void EqualParts::nearest_first(std::vector<Candidate>& places) const {
 
 EqualParts::Laying EqualParts::best_laying(const Part& part, const Part& other) {
   constexpr double kClear = 0.01;
+  const std::size_t budget = kBudget * part.faces + kLeastBudget;
+  spent_ = 0;
   Laying laying;
   double best = 0, worst = 0;
   std::vector<Candidate> places = seeds(part, other);
   if (places.size() > 1) look_at_positions();
   if (places.size() > 1 && bench_.misfit.is_placed()) nearest_first(places);
   for (const Candidate& seed : places) {
-    if (laying.ways >= kMostWays || (laying.ways > 0 && spent_ > budget_)) break;
+    if (laying.ways >= kMostWays || (laying.ways > 0 && spent_ > budget)) break;
     laying.in_ghost = false;
     if (!fills(seed, part)) continue;
     const double worth = worth_of_ghost();

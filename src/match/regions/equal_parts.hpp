@@ -73,7 +73,7 @@ class EqualParts {
   std::vector<Class> classes_;
   std::vector<Tie> ties_;
   bool looked_ = false;
-  std::size_t budget_, spent_ = 0;
+  std::size_t spent_ = 0;  // faces grown in trials of one part
 };
 
 }  // namespace quadmatch::regions

@@ -22,7 +22,7 @@ class Likelihood {
 
   /// What chance has to beat: as many places as there are to begin in.
   [[nodiscard]] double needed_for_trial() const {
-    return bench_.misfit.uses_lengths() ? log_places_ + 2 : 3.2 * log_places_;
+    return bench_.misfit.trusts_lengths() ? log_places_ + 2 : 3.2 * log_places_;
   }
   [[nodiscard]] double log_places() const { return log_places_; }
 

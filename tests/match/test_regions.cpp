@@ -1,0 +1,276 @@
+// Algorithm::Regions: what it promises beyond the paper's algorithms.
+
+#include <algorithm>
+
+#include <quadmatch/match/matcher.hpp>
+#include <quadmatch/shapes/bear.hpp>
+#include <quadmatch/shapes/edit.hpp>
+#include <quadmatch/shapes/renumber.hpp>
+#include <quadmatch/shapes/shirt.hpp>
+#include <quadmatch/verify/verify.hpp>
+
+#include "mesh/named_meshes.hpp"
+
+namespace quadmatch {
+namespace {
+
+Match judged(const Mesh& source, const Mesh& target, const MatchOptions& options = {}) {
+  Match match = quadmatch::match(source, target, options).match;
+  const Verdict verdict = verify(source, target, match);
+  CHECK_MESSAGE(verdict.sound(), (verdict.faults.empty() ? std::string() : verdict.faults.front().message));
+  return match;
+}
+
+/// All pairs, ascending by source.
+std::vector<FacePair> pairs_of(const Match& match) {
+  std::vector<FacePair> pairs;
+  for (const Region& region : match.regions) pairs.insert(pairs.end(), region.faces.begin(), region.faces.end());
+  std::sort(pairs.begin(), pairs.end(), [](const FacePair& a, const FacePair& b) { return a.source < b.source; });
+  return pairs;
+}
+
+/// The share of the truth that was found.
+double recall(const Match& match, const std::vector<FacePair>& truth) {
+  const std::vector<FacePair> pairs = pairs_of(match);
+  const auto found = std::count_if(truth.begin(), truth.end(), [&](const FacePair& pair) {
+    return std::find(pairs.begin(), pairs.end(), pair) != pairs.end();
+  });
+  return static_cast<double>(found) / static_cast<double>(truth.size());
+}
+
+std::uint32_t ambiguous_faces(const Match& match) {
+  std::uint32_t faces = 0;
+  for (const Region& region : match.regions) {
+    faces += region.ambiguous ? static_cast<std::uint32_t>(region.faces.size()) : 0;
+  }
+  return faces;
+}
+
+/// The same connectivity, and no place for any vertex.
+PolygonSoup without_positions(PolygonSoup soup) {
+  soup.positions.clear();
+  return soup;
+}
+
+shapes::Edit take(Expected<shapes::Edit> edit) {
+  REQUIRE(edit.has_value());
+  return *std::move(edit);
+}
+
+TEST_CASE("regions: every match of two meshes of the zoo is sound, whichever stage is left out") {
+  const std::vector<test::NamedSoup> zoo = test::whole_zoo();
+  const std::vector<Stages> choices{{},
+                                    {.equal_parts = false},
+                                    {.seams = false},
+                                    {.ties = false, .slides = false},
+                                    {.slivers = false, .islands = false},
+                                    {.equal_parts = false, .restarts = false, .acceptance = false}};
+  for (const auto& [name, soup] : zoo) {
+    for (const auto& [other_name, other_soup] : zoo) {
+      const Mesh source = test::build(soup), target = test::build(other_soup);
+      for (const Stages& stages : choices) {
+        CAPTURE(name);
+        CAPTURE(other_name);
+        judged(source, target, {.stages = stages});
+      }
+      judged(source, target, {.orientation = OrientationChoice::Reversing});
+      judged(source, target, {.positions = false});
+    }
+  }
+}
+
+TEST_CASE("regions: a mesh of the zoo is matched whole with a renumbered copy of itself, positions or not") {
+  for (const auto& [name, soup] : test::well_formed_zoo()) {
+    CAPTURE(name);
+    const Mesh mesh = test::build(soup);
+    const shapes::Renumbered copy = shapes::renumbered(soup, 7);
+    const Match match = judged(mesh, test::build(copy.soup));
+    CHECK(match.matched_faces() == mesh.face_count());
+    CHECK(match.vertices.size() == mesh.vertex_count());
+    CHECK(pairs_of(match) == copy.faces);  // positions settle what connectivity cannot
+    CHECK(judged(mesh, test::build(copy.soup), {.positions = false}).matched_faces() == mesh.face_count());
+  }
+}
+
+TEST_CASE("regions: a Moebius strip and a Klein bottle match themselves whole") {
+  for (const PolygonSoup& soup : {shapes::mobius_strip(5), shapes::klein_bottle(4, 5)}) {
+    const Mesh mesh = test::build(soup);
+    CHECK(judged(mesh, mesh).matched_faces() == mesh.face_count());
+    CHECK(judged(mesh, mesh, {.positions = false}).matched_faces() == mesh.face_count());
+  }
+}
+
+TEST_CASE("regions: an inserted edge loop costs only the quads it splits") {
+  const PolygonSoup bear = shapes::bear().soup;
+  const Mesh source = test::build(bear);
+  for (const std::uint32_t crossed : {std::uint32_t{401}, std::uint32_t{2222}, std::uint32_t{7003}}) {
+    CAPTURE(crossed);
+    const Expected<shapes::Edit> edit = shapes::insert_edge_loop(bear, HalfedgeId(crossed));
+    if (!edit) continue;  // the chord crosses itself
+    const Mesh target = test::build(edit->soup);
+    CHECK(recall(judged(source, target), edit->truth) == 1.0);
+  }
+}
+
+TEST_CASE("regions: deleted, extruded and collapsed quads cost nothing but themselves") {
+  const PolygonSoup bear = shapes::bear().soup;
+  const Mesh source = test::build(bear);
+  const std::vector<shapes::Edit> edits{take(shapes::delete_patch(bear, FaceId(40), 60)),
+                                        take(shapes::extrude_patch(bear, FaceId(700), 25, 0.1)),
+                                        take(shapes::collapse_quad(bear, source.first(FaceId(1200))))};
+  for (const shapes::Edit& edit : edits) {
+    const shapes::Renumbered copy = shapes::renumbered(edit.soup, 3);
+    const std::vector<FacePair> truth = shapes::chained(edit.truth, copy.faces, copy.soup);
+    CHECK(recall(judged(source, test::build(copy.soup)), truth) == 1.0);
+    const Match blind = judged(source, test::build(without_positions(copy.soup)));
+    CHECK(recall(blind, truth) >= 0.99);  // the lifted patch may lie one quad off
+  }
+}
+
+TEST_CASE("regions: the bear without ears in another pose is the bear but for its ears") {
+  const Mesh source = test::build(shapes::bear().soup);
+  const shapes::BearOptions posed{.ears = false, .pose = {.left_arm = 0.2, .right_leg = 0.15, .head_turn = 0.1}};
+  const Mesh target = test::build(shapes::bear(posed).soup);
+  std::vector<FacePair> truth;
+  for (std::uint32_t f = 0; f < shapes::bear_common_faces(); ++f) truth.push_back({FaceId(f), FaceId(f), 0});
+  const Match match = judged(source, target);
+  CHECK(recall(match, truth) >= 0.998);
+  CHECK(match.matched_faces() <= shapes::bear_common_faces() + 32);
+}
+
+TEST_CASE("regions: of several equal parts positions say which is which, and without them the match says it cannot") {
+  const PolygonSoup row = shapes::many_components(5);
+  const shapes::Renumbered copy = shapes::renumbered(row, 11);
+  const Mesh source = test::build(row);
+  const Match placed = judged(source, test::build(copy.soup));
+  CHECK(pairs_of(placed) == copy.faces);
+  CHECK(ambiguous_faces(placed) == 0);
+  const Match blind = judged(source, test::build(copy.soup), {.positions = false});
+  CHECK(blind.matched_faces() == source.face_count());
+  CHECK(ambiguous_faces(blind) == source.face_count());
+  for (const Region& region : blind.regions) CHECK(region.ways == 5 * 24);  // five cubes, and 24 turns of each
+}
+
+TEST_CASE("regions: a symmetric mesh is matched by one map, with the number of all maps") {
+  const Mesh cube = test::build(without_positions(shapes::cube_subdivided(3)));
+  const Match match = judged(cube, cube, {.orientation = OrientationChoice::Preserving});
+  REQUIRE(match.regions.size() == 1);
+  CHECK(match.regions.front().faces.size() == 54);
+  CHECK(match.regions.front().ways == 24);
+  CHECK(match.regions.front().ambiguous);
+  const Mesh bear = test::build(without_positions(shapes::bear().soup));
+  CHECK(judged(bear, bear).regions.front().ways == 1);
+}
+
+TEST_CASE("regions: ten thousand equal parts are matched, and said to be ambiguous") {
+  const Mesh cubes = test::build(without_positions(shapes::many_components(10000)));
+  const Match match = judged(cubes, cubes);
+  CHECK(match.matched_faces() == 60000);
+  CHECK(ambiguous_faces(match) == 60000);
+}
+
+TEST_CASE("regions: models that have nothing in common do not match") {
+  const Mesh bear = test::build(shapes::bear().soup);
+  const Mesh shirt = test::build(shapes::shirt(shapes::Sleeves::Long).soup);
+  for (const bool positions : {true, false}) {
+    CHECK(judged(bear, shirt, {.positions = positions}).matched_faces() <= 9);  // half a percent
+    CHECK(judged(shirt, bear, {.positions = positions}).matched_faces() <= 9);
+  }
+}
+
+TEST_CASE("regions: the shirt with short sleeves is found in the one with long sleeves") {
+  const Mesh source = test::build(shapes::shirt(shapes::Sleeves::Short).soup);
+  const shapes::Renumbered copy = shapes::renumbered(shapes::shirt(shapes::Sleeves::Long).soup, 5);
+  const std::vector<FacePair> truth(copy.faces.begin(), copy.faces.begin() + source.face_count());
+  CHECK(recall(judged(source, test::build(copy.soup)), truth) == 1.0);
+}
+
+TEST_CASE("regions: neither renumbering nor exchanging the meshes changes what is matched") {
+  const PolygonSoup bear = shapes::bear().soup;
+  const shapes::Edit edit = take(shapes::delete_patch(bear, FaceId(900), 40));
+  const Mesh source = test::build(bear), target = test::build(edit.soup);
+  const MatchOptions options{.positions = false};
+  const std::vector<FacePair> pairs = pairs_of(judged(source, target, options));
+  const shapes::Renumbered copy = shapes::renumbered(edit.soup, 21);
+  CHECK(pairs_of(judged(source, test::build(copy.soup), options)) == shapes::chained(pairs, copy.faces, copy.soup));
+  std::vector<FacePair> back;
+  for (const FacePair& pair : pairs_of(judged(target, source, options))) {
+    back.push_back({pair.target, pair.source, (4 - pair.rotation) % 4});
+  }
+  std::sort(back.begin(), back.end(), [](const FacePair& a, const FacePair& b) { return a.source < b.source; });
+  CHECK(back == pairs);
+}
+
+TEST_CASE("regions: with positions switched off they are never looked at") {
+  const PolygonSoup bear = shapes::bear().soup;
+  const shapes::Edit edit = take(shapes::insert_edge_loop(bear, HalfedgeId(401)));
+  PolygonSoup scrambled = edit.soup;
+  for (std::size_t v = 0; v < scrambled.positions.size(); ++v) {
+    scrambled.positions[v] = {static_cast<double>(v * 7919 % 101), static_cast<double>(v * 104729 % 97), 0.0};
+  }
+  const Mesh source = test::build(bear);
+  const MatchOptions options{.positions = false};
+  const Match plain = judged(source, test::build(edit.soup), options);
+  const Match other = judged(source, test::build(scrambled), options);
+  REQUIRE(plain.regions.size() == other.regions.size());
+  for (std::size_t k = 0; k < plain.regions.size(); ++k) CHECK(plain.regions[k].faces == other.regions[k].faces);
+}
+
+TEST_CASE("regions: a mirror image is matched the way its lengths say, even where either way would do") {
+  // The plate is its own mirror image, but not with these sides.
+  PolygonSoup plate = shapes::grid(4, 4);
+  for (Point& p : plate.positions) p = {p[0] * (1 + 0.2 * p[0]), p[1] * (1 + 0.35 * p[1]) + 0.3 * p[0], 0.0};
+  const Mesh source = test::build(plate);
+  PolygonSoup turned = plate;
+  for (std::size_t corner = 0; corner < turned.corners.size(); corner += 4) {
+    std::swap(turned.corners[corner + 1], turned.corners[corner + 3]);
+  }
+  const Match match = judged(source, test::build(turned));
+  REQUIRE(match.regions.size() == 1);
+  CHECK(match.regions.front().orientation == Orientation::Reversing);
+  for (const FacePair& pair : match.regions.front().faces) CHECK(pair.source == pair.target);
+}
+
+TEST_CASE("regions: what the user leaves out is left out") {
+  const PolygonSoup pieces = shapes::disjoint_union({shapes::sphere(4), shapes::prism(3), shapes::grid(2, 2)});
+  const Mesh mesh = test::build(pieces);
+  CHECK(judged(mesh, mesh).regions.size() == 3);
+  const Match large = judged(mesh, mesh, {.least_region = 6});
+  REQUIRE(large.regions.size() == 1);
+  CHECK(large.regions.front().faces.size() == 96);
+  CHECK(large.vertices.size() == 98);
+  for (const Region& region : judged(mesh, mesh, {.least_confidence = 1.0}).regions) {
+    CHECK(region.evidence.confidence() == 1.0);
+  }
+}
+
+TEST_CASE("regions: progress is told, and saying stop leaves a sound part of the match") {
+  const PolygonSoup bear = shapes::bear().soup;
+  const Mesh source = test::build(bear);
+  const Mesh target = test::build(take(shapes::delete_patch(bear, FaceId(900), 40)).soup);
+  std::size_t told = 0;
+  MatchOptions options{.progress = [&](std::size_t matched, std::size_t most) {
+    ++told;
+    CHECK(matched <= most);
+    CHECK(most == 2904);
+    return true;
+  }};
+  CHECK(judged(source, target, options).complete);
+  CHECK(told >= 2);
+  options.progress = [](std::size_t, std::size_t) { return false; };
+  CHECK_FALSE(judged(source, target, options).complete);
+}
+
+TEST_CASE("regions: waves say how far each region had grown, and end with all of it") {
+  const Mesh bear = test::build(shapes::bear().soup);
+  const Match match = judged(bear, bear, {.waves = true});
+  for (const Region& region : match.regions) {
+    REQUIRE_FALSE(region.waves.empty());
+    CHECK(region.waves.front() == 1);
+    CHECK(std::is_sorted(region.waves.begin(), region.waves.end()));
+    CHECK(region.waves.back() == region.faces.size());
+  }
+}
+
+}  // namespace
+}  // namespace quadmatch
