@@ -27,13 +27,31 @@ std::vector<std::uint32_t> largest_first(const std::vector<std::vector<HalfedgeI
   return regions;
 }
 
+namespace {
+
+/// How many faces beside a matched one lie beside its image?
+int neighbours_in_place(const Workbench& bench, FaceId face) {
+  const Mesh& source = bench.sides.source.mesh;
+  int count = 0;
+  for (const HalfedgeId h : source.halfedges(face)) {
+    const HalfedgeId beside = source.twin(h);
+    count += beside.valid() && bench.patchwork.is_matched(source.face(beside)) &&
+             bench.patchwork.image(beside) == bench.sides.target.mesh.twin(bench.patchwork.image(h));
+  }
+  return count;
+}
+
+}  // namespace
+
 std::size_t drop_misfits(Workbench& bench) {
+  constexpr int kEnough = 2;  // neighbours that hold a face, however badly it fits
   const Mesh& source = bench.sides.source.mesh;
   std::size_t dropped = 0;
   for (std::uint32_t f = 0; f < source.face_count(); ++f) {
     if (!bench.patchwork.is_matched(FaceId(f))) continue;
     const HalfedgeId first = source.first(FaceId(f));
     if (bench.misfit.cost({first, bench.patchwork.image(first)}) <= Misfit::kUnmatched) continue;
+    if (neighbours_in_place(bench, FaceId(f)) >= kEnough) continue;
     bench.patchwork.lift(FaceId(f));
     ++dropped;
   }

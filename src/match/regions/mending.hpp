@@ -30,7 +30,7 @@ struct Workbench {
 /// @return  faces whose partner changed.
 std::size_t move_seams(Workbench& bench);
 
-/// Lift every pair that costs more than leaving its face unmatched. @return faces lifted.
+/// Lift every pair that costs more than leaving its face unmatched, unless neighbours hold it. @return faces lifted.
 std::size_t drop_misfits(Workbench& bench);
 
 /// Slivers: unmatched faces beside matched ones that regions cannot take in, such as one side of a rip, become regions
