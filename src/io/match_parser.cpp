@@ -163,8 +163,8 @@ bool MatchListener::skipping() const {
     case Place::Side:
       return key_ != "path" && key_ != "vertices" && key_ != "faces";
     case Place::Region:
-      return key_ != "orientation" && key_ != "faces" && key_ != "evidence" && key_ != "waves" &&
-             key_ != "ways" && key_ != "ambiguous";
+      return key_ != "orientation" && key_ != "faces" && key_ != "evidence" && key_ != "waves" && key_ != "ways" &&
+             key_ != "ambiguous";
     case Place::Evidence:
       return key_ != "agreeing" && key_ != "source_extraordinary" && key_ != "target_extraordinary";
     default:

@@ -37,7 +37,7 @@ std::vector<EqualParts::Part> EqualParts::parts_of(const Side& side, const Spoke
       for (std::size_t axis = 0; axis < 3; ++axis) part.middle[axis] += p[axis];
     }
     corners[components.of_face[FaceId(f)]] += side.mesh.size(FaceId(f));
-    part.signature += mixed(side.mesh.size(FaceId(f)) * 64 + open);
+    part.signature += mixed(std::uint64_t{64} * side.mesh.size(FaceId(f)) + open);
   }
   for (std::uint32_t spoke = 0; spoke < side.separatrices.spokes.size(); ++spoke) {
     const HalfedgeId start = side.separatrices.spokes[spoke].start.halfedge;

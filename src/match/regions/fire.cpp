@@ -42,8 +42,7 @@ bool believable(const Account& account, double least_confidence) {
 }
 
 Fire::Fire(const Sides& sides, Patchwork& patchwork)
-    : sides_(sides),
-      source_(sides.source.mesh),
+    : source_(sides.source.mesh),
       target_(sides.target.mesh),
       patchwork_(patchwork),
       source_vertices_(source_.vertex_count()),

@@ -97,7 +97,6 @@ class Fire {
   void push_neighbours(Candidate candidate, std::uint32_t distance);
   void recount();
 
-  const Sides& sides_;
   const Mesh& source_;
   const Mesh& target_;
   Patchwork& patchwork_;
