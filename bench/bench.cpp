@@ -1,5 +1,6 @@
-// What reading and matching cost, from small meshes to millions of quads, beside the tinyobjloader library in the same
-// run. usage: quadmatch_bench MESH.obj STEPS SCRATCH.obj [--benchmark_...]
+// What reading and matching cost, from small meshes to millions of quads, beside peers in the same run: tinyobjloader
+// for reading, bliss for telling that two meshes are the same. usage: quadmatch_bench MESH.obj STEPS SCRATCH.obj
+// [--benchmark_...]
 //
 // MESH is refined by Catmull-Clark 0 ... STEPS times. At every step the mesh is matched with a copy whose vertices,
 // faces and first corners are in random order. The finest is also written to SCRATCH and read by both readers.
@@ -7,11 +8,14 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
+#include <bliss/graph.hh>
 
 #include <cstdio>
 #include <cstdlib>
 #include <deque>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include <quadmatch/quadmatch.hpp>
 #include <quadmatch/shapes/catmull_clark.hpp>
@@ -71,6 +75,32 @@ void match_pair(benchmark::State& state, const Pair& pair, Algorithm algorithm) 
   report(state, pair, matched);
 }
 
+/// Vertices and edges, coloured by vertex code as our engine sees them.
+bliss::Graph graph_of(const Mesh& mesh) {
+  bliss::Graph graph;
+  const PerFan<VertexCode> codes = vertex_codes(mesh);
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) graph.add_vertex(codes[FanId(v)].value);
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+    if (mesh.edge(HalfedgeId(h)).value != h) continue;
+    graph.add_edge(mesh.origin(HalfedgeId(h)).value, mesh.tip(HalfedgeId(h)).value);
+  }
+  return graph;
+}
+
+/// Are both graphs the same? By the canonical forms of both, as bliss answers it.
+void compare_with_bliss(benchmark::State& state, const Pair& pair) {
+  bool same = true;
+  for (auto _ : state) {
+    bliss::Graph left = graph_of(pair.source), right = graph_of(pair.target);
+    bliss::Stats stats;
+    const std::unique_ptr<bliss::Graph> one(left.permute(left.canonical_form(stats, nullptr, nullptr)));
+    const std::unique_ptr<bliss::Graph> other(right.permute(right.canonical_form(stats, nullptr, nullptr)));
+    same = same && one->cmp(*other) == 0;
+  }
+  if (!same) give_up("bliss says that a renumbered mesh is another");
+  report(state, pair, pair.source.face_count());
+}
+
 void build_mesh(benchmark::State& state, const Mesh& mesh) {
   const PolygonSoup soup = soup_of(mesh);
   for (auto _ : state) {
@@ -117,6 +147,8 @@ int main(int argc, char** argv) {
     };
     add("build", [&pair](benchmark::State& state) { build_mesh(state, pair.target); });
     add("anchors", [&pair](benchmark::State& state) { find_anchors_of(state, pair); });
+    add("regions", [&pair](benchmark::State& state) { match_pair(state, pair, Algorithm::Regions); });
+    if (step == 0) add("bliss", [&pair](benchmark::State& state) { compare_with_bliss(state, pair); });
     add("lazy-greedy", [&pair](benchmark::State& state) { match_pair(state, pair, Algorithm::LazyGreedy); });
     add("greedy", [&pair](benchmark::State& state) { match_pair(state, pair, Algorithm::Greedy); });
   }

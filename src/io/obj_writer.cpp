@@ -67,6 +67,13 @@ void write_corner(TextBuffer& text, const MeshFile& file, HalfedgeId corner) {
   text << (texture == IndexedAttribute::kNoIndex ? "//" : "/") << normal + 1;
 }
 
+/// A text at the end of a line. A backslash there would continue the line; a blank behind it is no part of the text.
+std::string ending_its_line(std::string_view text) {
+  std::string line = one_line(text);
+  if (!line.empty() && line.back() == '\\') line += ' ';
+  return line;
+}
+
 /// Writes the records that stand between faces, in their order, as far as they belong before a given face.
 class RecordWriter {
  public:
@@ -78,10 +85,10 @@ class RecordWriter {
       const bool carried =
           file_.format == Format::Obj && carried_ < file_.carried.size() && file_.carried[carried_].before_face <= face;
       if (carried && (!record || file_.carried[carried_].before_record <= record_)) {
-        text << one_line(file_.carried[carried_++].text) << '\n';
+        text << ending_its_line(file_.carried[carried_++].text) << '\n';
       } else if (record) {
         const FaceRecord& next = file_.face_records[record_++];
-        text << next.keyword << (next.value.empty() ? "" : " ") << one_line(next.value) << '\n';
+        text << next.keyword << (next.value.empty() ? "" : " ") << ending_its_line(next.value) << '\n';
       } else {
         return;
       }
@@ -100,7 +107,7 @@ std::string format_obj(const MeshFile& file) {
   TextBuffer text;
   text.reserve(std::size_t{file.mesh.vertex_count()} * 32 + std::size_t{file.mesh.halfedge_count()} * 8);
   for (const std::string& comment : file.comments) text << "# " << one_line(comment) << '\n';
-  for (const std::string& library : file.material_libraries) text << "mtllib " << one_line(library) << '\n';
+  for (const std::string& library : file.material_libraries) text << "mtllib " << ending_its_line(library) << '\n';
   write_vertices(text, file);
   if (file.texture_coordinates) write_pool(text, "vt", *file.texture_coordinates);
   if (file.normals) write_pool(text, "vn", *file.normals);

@@ -127,6 +127,16 @@ TEST_CASE("a backslash continues a line, and lines are still counted") {
   CHECK(error_of("v 0 0 0\\", Format::Obj).code == ErrorCode::Empty);
 }
 
+TEST_CASE("a name that ends with a backslash does not swallow the next line when it is written again") {
+  const MeshFile file = obj(with_vertices("mtllib odd\\ \ng left\\ \nf 1 2 3 4\n"));
+  CHECK(file.material_libraries == std::vector<std::string>{"odd\\"});
+  const MeshFile again = obj(format_mesh(file, Format::Obj));
+  CHECK(again.material_libraries == file.material_libraries);
+  REQUIRE(again.face_records.size() == 1);
+  CHECK(again.face_records[0].value == "left\\");
+  CHECK(again.mesh.face_count() == 1);
+}
+
 TEST_CASE("a comment is not continued by a backslash at its end") {
   const MeshFile file = obj(with_vertices("# C:\\meshes\\\nf 1 2 3 4\n"));
   CHECK(file.comments == std::vector<std::string>{"C:\\meshes\\"});

@@ -20,12 +20,13 @@ constexpr double kLeastConfidence = 0.6;
 constexpr int kMostRestarts = 3;
 
 /// Grow from all anchors that colours give, in rounds: what is matched makes others unique.
-void grow(const Sides& sides, const ColouredSpokes& colours, Fire& fire, const Patchwork& patchwork) {
+void grow(const Sides& sides, const ColouredSpokes& with_lengths, const ColouredSpokes& without, Fire& fire,
+          const Patchwork& patchwork) {
   constexpr int kMostRounds = 4;
   const std::size_t little = sides.source.mesh.face_count() / 500;
   for (int round = 0; round < kMostRounds; ++round) {
     const std::size_t before = patchwork.matched_faces();
-    fire.light(find_sparks(sides, colours, patchwork, round == 0 ? Caution::High : Caution::Low));
+    fire.light(find_sparks(sides, with_lengths, without, patchwork, round == 0 ? Caution::High : Caution::Low));
     fire.burn();
     if (patchwork.matched_faces() - before <= little) break;
   }
@@ -34,7 +35,7 @@ void grow(const Sides& sides, const ColouredSpokes& colours, Fire& fire, const P
     fire.rekindle();
     fire.burn();
   }
-  fire.light(find_sparks(sides, colours, patchwork, Caution::Low));
+  fire.light(find_sparks(sides, with_lengths, without, patchwork, Caution::Low));
   fire.burn();
   fire.burn_disagreeing();
   fire.drop_unbelievable(kLeastConfidence);
@@ -51,11 +52,11 @@ class Engine {
         misfit_(sides, options.positions),
         ghost_(sides, patchwork_),
         bench_{sides, patchwork_, misfit_, ghost_},
-        colours_(colour_both(sides)) {}
+        with_lengths_(colour_both(sides, true)) {}
 
   Outcome run(const std::vector<Anchor>& anchors) {
     lay_anchors(anchors);
-    EqualParts equal(bench_, colours_);
+    EqualParts equal(bench_, with_lengths_);
     if (stages_.equal_parts) equal.lay_single();
     if (patchwork_.matched_faces() < most_faces()) {
       match_unequal(equal);
@@ -95,7 +96,7 @@ class Engine {
     {
       Fire fire(sides_, patchwork_);
       for (const std::uint32_t region : pinned_) fire.protect(region);
-      grow(sides_, colours_, fire, patchwork_);
+      grow(sides_, with_lengths_, colour_both(sides_, false), fire, patchwork_);
       fire.settle();
     }
     if (!report()) return;
@@ -133,7 +134,7 @@ class Engine {
     if (stages_.slivers) match_slivers(bench_);
   }
   void move() {
-    if (stages_.seams && report()) move_seams(bench_);
+    if (stages_.seams && report()) move_seams(bench_, seams_);
   }
 
   /// Is at most a little left free in one of the meshes?
@@ -167,8 +168,9 @@ class Engine {
   Misfit misfit_;
   Ghost ghost_;
   Workbench bench_;
-  ColouredSpokes colours_;
+  ColouredSpokes with_lengths_;
   std::vector<std::uint32_t> pinned_;
+  SeamsAtRest seams_;
   bool cancelled_ = false;
 };
 

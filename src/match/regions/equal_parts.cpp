@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <unordered_set>
 
 #include "trial.hpp"
 
@@ -25,18 +26,11 @@ std::uint64_t mixed(std::uint64_t x) {
 std::vector<EqualParts::Part> EqualParts::parts_of(const Side& side, const SpokeColours& colours) {
   const Components components = connected_components(side.mesh);
   std::vector<Part> parts(components.face_count.size());
-  std::vector<std::uint32_t> corners(parts.size(), 0);
   for (std::uint32_t f = 0; f < side.mesh.face_count(); ++f) {
     Part& part = parts[components.of_face[FaceId(f)]];
     if (part.faces++ == 0) part.first_face = FaceId(f);
     std::uint64_t open = 0;
-    for (const HalfedgeId h : side.mesh.halfedges(FaceId(f))) {
-      open += !side.mesh.twin(h).valid();
-      if (side.mesh.positions().empty()) continue;
-      const Point& p = side.mesh.positions()[side.mesh.origin(h).value];
-      for (std::size_t axis = 0; axis < 3; ++axis) part.middle[axis] += p[axis];
-    }
-    corners[components.of_face[FaceId(f)]] += side.mesh.size(FaceId(f));
+    for (const HalfedgeId h : side.mesh.halfedges(FaceId(f))) open += !side.mesh.twin(h).valid();
     part.signature += mixed(std::uint64_t{64} * side.mesh.size(FaceId(f)) + open);
   }
   for (std::uint32_t spoke = 0; spoke < side.separatrices.spokes.size(); ++spoke) {
@@ -45,17 +39,33 @@ std::vector<EqualParts::Part> EqualParts::parts_of(const Side& side, const Spoke
     part.signature += mixed(colours.rounds.back()[spoke]);
     part.spokes.push_back(spoke);
   }
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    for (double& number : parts[k].middle) number /= corners[k];
-  }
   return parts;
+}
+
+/// The middle of a part's corners. O(its faces).
+Point EqualParts::middle_of(const Mesh& mesh, const Part& part) {
+  Point sum = {0, 0, 0};
+  double corners = 0;
+  std::vector<FaceId> faces{part.first_face};
+  std::unordered_set<std::uint32_t> seen{part.first_face.value};
+  for (std::size_t here = 0; here < faces.size(); ++here) {
+    for (const HalfedgeId h : mesh.halfedges(faces[here])) {
+      const Point& p = mesh.positions()[mesh.origin(h).value];
+      for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += p[axis];
+      corners += 1;
+      const HalfedgeId beside = mesh.twin(h);
+      if (beside.valid() && seen.insert(mesh.face(beside).value).second) faces.push_back(mesh.face(beside));
+    }
+  }
+  for (double& number : sum) number /= corners;
+  return sum;
 }
 
 EqualParts::EqualParts(Workbench& bench, const ColouredSpokes& colours)
     : bench_(bench),
       colours_(colours),
-      source_parts_(parts_of(bench.sides.source, colours.source_with_lengths)),
-      target_parts_(parts_of(bench.sides.target, colours.target_with_lengths)) {
+      source_parts_(parts_of(bench.sides.source, colours.source)),
+      target_parts_(parts_of(bench.sides.target, colours.target)) {
   using Entry = std::tuple<std::uint64_t, std::uint32_t, std::uint32_t>;  // signature, faces, part
   const auto sorted = [](const std::vector<Part>& parts) {
     std::vector<Entry> entries;
@@ -106,7 +116,7 @@ std::vector<Candidate> EqualParts::seeds(const Part& part, const Part& other) co
     }
     return result;
   }
-  const std::vector<Colour>& colours = colours_.source_with_lengths.rounds.back();
+  const std::vector<Colour>& colours = colours_.source.rounds.back();
   std::vector<std::pair<Colour, std::uint32_t>> sorted;
   for (const std::uint32_t spoke : part.spokes) sorted.emplace_back(colours[spoke], spoke);
   std::sort(sorted.begin(), sorted.end());
@@ -123,7 +133,7 @@ std::vector<Candidate> EqualParts::seeds(const Part& part, const Part& other) co
   const Dart start = source.separatrices.spokes[sorted[rarest].second].start;
   for (const std::uint32_t spoke : other.spokes) {
     const Dart end = target.separatrices.spokes[spoke].start;
-    const bool alike = colours_.target_with_lengths.rounds.back()[spoke] == sorted[rarest].first;
+    const bool alike = colours_.target.rounds.back()[spoke] == sorted[rarest].first;
     if (alike && start.backward == end.backward) result.push_back({start.halfedge, end.halfedge});
   }
   return result;
@@ -132,7 +142,7 @@ std::vector<Candidate> EqualParts::seeds(const Part& part, const Part& other) co
 /// Does the map that begins here cover the part with all corners agreeing?
 bool EqualParts::fills(Candidate seed, const Part& part) {
   const bool grown =
-      grow_trial(bench_, seed, {.most_faces = part.faces, .worst_error = 1e30, .cover_disagreeing = false});
+      grow_trial(bench_, seed, {.most_faces = part.faces, .worst_error = kAny, .cover_disagreeing = false});
   spent_ += 16 + (grown ? bench_.ghost.pairs().size() : 0);
   return grown && bench_.ghost.pairs().size() == part.faces;
 }
@@ -232,10 +242,13 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> EqualParts::nearest_pairs(c
     }
     return pairs;
   }
+  std::vector<Point> middles;
+  for (const std::uint32_t j : equal.target) middles.push_back(middle_of(bench_.sides.target.mesh, target_parts_[j]));
   std::vector<std::tuple<double, std::uint32_t, std::uint32_t>> by_distance;
   for (const std::uint32_t i : equal.source) {
-    for (const std::uint32_t j : equal.target) {
-      by_distance.emplace_back(bench_.misfit.distance(source_parts_[i].middle, target_parts_[j].middle), i, j);
+    const Point middle = middle_of(bench_.sides.source.mesh, source_parts_[i]);
+    for (std::size_t k = 0; k < middles.size(); ++k) {
+      by_distance.emplace_back(bench_.misfit.distance(middle, middles[k]), i, equal.target[k]);
     }
   }
   std::sort(by_distance.begin(), by_distance.end());

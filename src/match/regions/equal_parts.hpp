@@ -23,7 +23,7 @@ struct Tie {
 class EqualParts {
  public:
   /// @param bench    nothing need be matched yet.
-  /// @param colours  of the spokes of both meshes.
+  /// @param colours  of the spokes of both meshes, with arc lengths.
   /// @par Cost       O(#corners).
   EqualParts(Workbench& bench, const ColouredSpokes& colours);
 
@@ -41,7 +41,6 @@ class EqualParts {
     std::uint64_t signature = 0;
     std::uint32_t faces = 0;
     FaceId first_face;
-    Point middle = {0, 0, 0};  ///< of all corners, where there are positions
     std::vector<std::uint32_t> spokes;
   };
   /// Parts of both meshes that look equal.
@@ -57,6 +56,7 @@ class EqualParts {
   };
 
   [[nodiscard]] static std::vector<Part> parts_of(const Side& side, const SpokeColours& colours);
+  [[nodiscard]] static Point middle_of(const Mesh& mesh, const Part& part);
   [[nodiscard]] std::vector<Candidate> seeds(const Part& part, const Part& other) const;
   [[nodiscard]] bool fills(Candidate seed, const Part& part);
   [[nodiscard]] Laying best_laying(const Part& part, const Part& other);

@@ -136,7 +136,8 @@ struct Ranked {
 
 class Ignition {
  public:
-  Ignition(const Sides& sides, const ColouredSpokes& colours, const Patchwork& patchwork)
+  Ignition(const Sides& sides, const ColouredSpokes& with_lengths, const ColouredSpokes& without,
+           const Patchwork& patchwork)
       : sides_(sides),
         source_nodes_(node_of_spokes(sides.source.separatrices)),
         target_nodes_(node_of_spokes(sides.target.separatrices)) {
@@ -144,8 +145,8 @@ class Ignition {
                                   [&](HalfedgeId h) { return !patchwork.is_matched(sides.source.mesh.face(h)); });
     const auto right = free_spokes(sides.target.separatrices,
                                    [&](HalfedgeId h) { return !patchwork.is_taken(sides.target.mesh.face(h)); });
-    with_lengths_ = unique_pairs(colours.source_with_lengths, left, colours.target_with_lengths, right, 2);
-    without_ = unique_pairs(colours.source, left, colours.target, right, 2);
+    with_lengths_ = unique_pairs(with_lengths.source, left, with_lengths.target, right, 2);
+    without_ = unique_pairs(without.source, left, without.target, right, 2);
   }
 
   std::vector<Spark> sparks(Caution caution) {
@@ -207,17 +208,16 @@ class Ignition {
 
 }  // namespace
 
-ColouredSpokes colour_both(const Sides& sides) {
-  const auto colour = [](const Side& side, bool arc_lengths) {
+ColouredSpokes colour_both(const Sides& sides, bool arc_lengths) {
+  const auto colour = [arc_lengths](const Side& side) {
     return colour_spokes(side.separatrices, side.codes, kRounds, {.arc_lengths = arc_lengths});
   };
-  return {colour(sides.source, true), colour(sides.target, true), colour(sides.source, false),
-          colour(sides.target, false)};
+  return {colour(sides.source), colour(sides.target)};
 }
 
-std::vector<Spark> find_sparks(const Sides& sides, const ColouredSpokes& colours, const Patchwork& patchwork,
-                               Caution caution) {
-  return Ignition(sides, colours, patchwork).sparks(caution);
+std::vector<Spark> find_sparks(const Sides& sides, const ColouredSpokes& with_lengths, const ColouredSpokes& without,
+                               const Patchwork& patchwork, Caution caution) {
+  return Ignition(sides, with_lengths, without, patchwork).sparks(caution);
 }
 
 }  // namespace quadmatch::regions

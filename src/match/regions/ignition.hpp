@@ -11,13 +11,13 @@
 
 namespace quadmatch::regions {
 
-/// The spokes of both meshes, coloured with arc lengths (very safe) and without (unmoved by inserted edge loops).
+/// The spokes of both meshes, coloured alike.
 struct ColouredSpokes {
-  SpokeColours source_with_lengths, target_with_lengths;
   SpokeColours source, target;
 };
 
-[[nodiscard]] ColouredSpokes colour_both(const Sides& sides);
+/// @param arc_lengths  with them a colour is very safe; without, unmoved by inserted edge loops.
+[[nodiscard]] ColouredSpokes colour_both(const Sides& sides, bool arc_lengths);
 
 /// How much is asked of an anchor.
 enum class Caution {
@@ -28,7 +28,8 @@ enum class Caution {
 /// Find anchors among the spokes whose faces are free in their mesh.
 /// @return  by handicap, ascending; at most one for each extraordinary vertex. Independent of the numbering.
 /// @par Cost  O(#spokes log #spokes).
-[[nodiscard]] std::vector<Spark> find_sparks(const Sides& sides, const ColouredSpokes& colours,
-                                             const Patchwork& patchwork, Caution caution);
+[[nodiscard]] std::vector<Spark> find_sparks(const Sides& sides, const ColouredSpokes& with_lengths,
+                                             const ColouredSpokes& without, const Patchwork& patchwork,
+                                             Caution caution);
 
 }  // namespace quadmatch::regions

@@ -7,7 +7,6 @@
 namespace quadmatch::regions {
 namespace {
 
-constexpr std::size_t kCodes = 1 << 16;
 /// How often a vertex of a true pair has the same code, edits considered.
 constexpr double kAgrees = 0.9;
 /// How often lengths of a true pair fit within sigma, and how often they are beyond three.
@@ -20,10 +19,21 @@ constexpr double kLands = 2.0, kNear = 0.3;
 /// A vertex that disagrees always speaks against, if only a little.
 constexpr double kLeastAgainst = -0.5;
 
+/// By code: the share of the vertices that have it.
+std::vector<double> share_of_codes(const Side& side) {
+  std::vector<double> share;
+  for (std::uint32_t v = 0; v < side.mesh.vertex_count(); ++v) {
+    const std::uint16_t code = side.code(VertexId(v)).value;
+    if (code >= share.size()) share.resize(code + std::size_t{1}, 0);
+    share[code] += 1.0;
+  }
+  for (double& count : share) count /= side.mesh.vertex_count();
+  return share;
+}
+
 }  // namespace
 
-Likelihood::Likelihood(const Workbench& bench)
-    : bench_(bench), agrees_(kCodes, 0), seen_(bench.sides.source.mesh.vertex_count(), 0) {
+Likelihood::Likelihood(const Workbench& bench) : bench_(bench), seen_(bench.sides.source.mesh.vertex_count(), 0) {
   learn_codes();
   if (bench.misfit.trusts_lengths()) learn_lengths();
   log_places_ =
@@ -31,16 +41,12 @@ Likelihood::Likelihood(const Workbench& bench)
 }
 
 void Likelihood::learn_codes() {
-  std::vector<double> source_share(kCodes, 0), target_share(kCodes, 0);
-  const auto count = [](const Side& side, std::vector<double>& share) {
-    for (std::uint32_t v = 0; v < side.mesh.vertex_count(); ++v) {
-      share[side.code(VertexId(v)).value] += 1.0 / side.mesh.vertex_count();
-    }
-  };
-  count(bench_.sides.source, source_share);
-  count(bench_.sides.target, target_share);
+  const std::vector<double> source_share = share_of_codes(bench_.sides.source);
+  std::vector<double> target_share = share_of_codes(bench_.sides.target);
+  target_share.resize(std::max(source_share.size(), target_share.size()), 0);
+  agrees_.assign(source_share.size(), 0);  // a code that only the target has never agrees
   double chance_agrees = 0;
-  for (std::size_t code = 0; code < kCodes; ++code) {
+  for (std::size_t code = 0; code < agrees_.size(); ++code) {
     chance_agrees += source_share[code] * target_share[code];
     // Rare is what is rare in both. What is common says little, but never against: that most vertices are regular is
     // no evidence of a mistake.

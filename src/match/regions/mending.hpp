@@ -25,10 +25,14 @@ struct Workbench {
 /// Region numbers, from the most faces to the fewest; those without faces are left out.
 [[nodiscard]] std::vector<std::uint32_t> largest_first(const std::vector<std::vector<HalfedgeId>>& faces);
 
+/// For each region, what Patchwork::changes() was when its seams were last found to be where they belong.
+using SeamsAtRest = std::vector<std::uint32_t>;
+
 /// Seams: carry every region's map on over its neighbours, and let a minimum cut say which faces are better off with
 /// it (an expansion move of Boykov, Veksler & Zabih 2001). Exact for zigzags, and for seams in flat stretches.
-/// @return  faces whose partner changed.
-std::size_t move_seams(Workbench& bench);
+/// @param rest  from the last call; regions about which nothing has changed since are passed over.
+/// @return      faces whose partner changed.
+std::size_t move_seams(Workbench& bench, SeamsAtRest& rest);
 
 /// Lift every pair that costs more than leaving its face unmatched, unless neighbours hold it. @return faces lifted.
 std::size_t drop_misfits(Workbench& bench);

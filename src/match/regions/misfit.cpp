@@ -26,6 +26,23 @@ Number quantile(std::vector<Number>& numbers, double share) {
   return *place;
 }
 
+/// Some thousands of the matched faces, evenly spread over the order in which they were matched.
+std::vector<Candidate> sample_of(const Mesh& source, const Patchwork& patchwork) {
+  constexpr std::size_t kSamples = 4000;
+  const std::vector<HalfedgeId>& history = patchwork.history();
+  const std::size_t step = history.size() / kSamples + 1;
+  std::vector<Candidate> sample;
+  for (std::size_t k = 0; k < history.size(); k += step) {
+    if (patchwork.is_matched(source.face(history[k]))) sample.push_back({history[k], patchwork.image(history[k])});
+  }
+  if (sample.empty()) {  // all of those were lifted again
+    for (const HalfedgeId entry : history) {
+      if (patchwork.is_matched(source.face(entry))) sample.push_back({entry, patchwork.image(entry)});
+    }
+  }
+  return sample;
+}
+
 Point middle(const Mesh& mesh, FaceId face) {
   Point sum = {0, 0, 0};
   for (const HalfedgeId h : mesh.halfedges(face)) {
@@ -35,15 +52,24 @@ Point middle(const Mesh& mesh, FaceId face) {
   return sum;
 }
 
+PerFace<Point> middles_of(const Mesh& mesh) {
+  PerFace<Point> middles(mesh.face_count());
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) middles[FaceId(f)] = middle(mesh, FaceId(f));
+  return middles;
+}
+
 }  // namespace
 
 Lengths::Lengths(const Mesh& mesh) : edge_(mesh.halfedge_count()), diagonal_(mesh.halfedge_count()) {
   const std::span<const Point> positions = mesh.positions();
   for (std::uint32_t number = 0; number < mesh.halfedge_count(); ++number) {
-    const HalfedgeId h(number), next = mesh.next(h);
+    const HalfedgeId h(number), next = mesh.next(h), twin = mesh.twin(h);
     const Point& here = positions[mesh.origin(h).value];
-    edge_[h] = log_distance(here, positions[mesh.origin(next).value]);
-    diagonal_[h] = log_distance(here, positions[mesh.tip(next).value]);
+    edge_[h] = twin < h ? edge_[twin] : log_distance(here, positions[mesh.origin(next).value]);
+    // A quad's second half of the diagonals is its first from the other end.
+    const HalfedgeId opposite = mesh.next(next);
+    const bool known = opposite < h && mesh.next(mesh.next(opposite)) == h;
+    diagonal_[h] = known ? diagonal_[opposite] : log_distance(here, positions[mesh.origin(opposite).value]);
   }
 }
 
@@ -78,22 +104,21 @@ void Misfit::assume() {
 void Misfit::calibrate(const Patchwork& patchwork) {
   uses_lengths_ = false;
   if (patchwork.matched_faces() == 0 || !load_lengths()) return;
-  const Mesh& source = sides_.source.mesh;
+  const std::vector<Candidate> sample = sample_of(sides_.source.mesh, patchwork);
   std::vector<double> ratios, errors;
-  for (std::uint32_t f = 0; f < source.face_count(); ++f) {
-    if (!patchwork.is_matched(FaceId(f))) continue;
+  for (const Candidate& pair : sample) {
+    const std::uint32_t size = sides_.source.mesh.size(sides_.source.mesh.face(pair.source));
     double ratio = 0;
-    for (const HalfedgeId h : source.halfedges(FaceId(f))) {
-      ratio += lengths_[1].edge(patchwork.image(h)) - lengths_[0].edge(h);
-    }
-    ratios.push_back(ratio / source.size(FaceId(f)));
+    auto [s, t] = pair;
+    do {
+      ratio += lengths_[1].edge(t) - lengths_[0].edge(s);
+      s = sides_.source.mesh.next(s);
+      t = sides_.target.mesh.next(t);
+    } while (s != pair.source);
+    ratios.push_back(ratio / size);
   }
   scale_ = quantile(ratios, 0.5);
-  for (std::uint32_t f = 0; f < source.face_count(); ++f) {
-    if (!patchwork.is_matched(FaceId(f))) continue;
-    const HalfedgeId first = source.first(FaceId(f));
-    errors.push_back(raw_error({first, patchwork.image(first)}));
-  }
+  for (const Candidate& pair : sample) errors.push_back(raw_error(pair));
   const double lower = quantile(errors, 0.25);
   const double middle = quantile(errors, 0.5);
   uses_lengths_ = learnt_ = lower < kUseless;
@@ -162,8 +187,20 @@ double Misfit::cost(Candidate pair) const {
 
 double Misfit::distance(Candidate pair) const {
   const FaceId q = sides_.source.mesh.face(pair.source), r = sides_.target.mesh.face(pair.target);
-  const Point there = (*placement_)(middle(sides_.source.mesh, q));
-  return std::sqrt(squared_distance(there, middle(sides_.target.mesh, r))) / edge_;
+  const Point& there = placed_middles_[q];
+  const Point& image = target_middles_[r];
+  return std::sqrt(squared_distance(there, image)) / edge_;
+}
+
+void Misfit::place(const std::optional<Similarity>& placement, double edge) {
+  placement_ = placement;
+  edge_ = edge;
+  if (!placement) return;
+  placed_middles_ = middles_of(sides_.source.mesh);
+  for (std::uint32_t f = 0; f < placed_middles_.size(); ++f) {
+    placed_middles_[FaceId(f)] = (*placement)(placed_middles_[FaceId(f)]);
+  }
+  if (target_middles_.size() == 0) target_middles_ = middles_of(sides_.target.mesh);
 }
 
 double Misfit::distance(const Point& source, const Point& target) const {

@@ -50,10 +50,7 @@ class Misfit {
   /// Let distance decide between equals.
   /// @param placement  of the source in the space of the target; nothing: distances mean nothing.
   /// @param edge       the length of a target edge, the unit of distance.
-  void place(const std::optional<Similarity>& placement, double edge) {
-    placement_ = placement;
-    edge_ = edge;
-  }
+  void place(const std::optional<Similarity>& placement, double edge);
   [[nodiscard]] bool is_placed() const { return placement_.has_value(); }
   [[nodiscard]] const std::optional<Similarity>& placement() const { return placement_; }
   [[nodiscard]] double edge() const { return edge_; }
@@ -88,6 +85,7 @@ class Misfit {
   double sigma_ = 1.0;
   std::vector<Candidate> pins_;
   std::optional<Similarity> placement_;
+  PerFace<Point> placed_middles_, target_middles_;  // of faces, where the source is placed
   double edge_ = 1.0;
 };
 

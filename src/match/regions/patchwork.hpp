@@ -48,11 +48,16 @@ class Patchwork {
         target_(target),
         image_of_first_(source.face_count()),
         origin_(target.face_count()),
-        region_(source.face_count(), kNoRegion) {}
+        region_(source.face_count(), kNoRegion),
+        changed_at_(source.face_count(), 0) {}
 
   [[nodiscard]] bool is_matched(FaceId source_face) const { return image_of_first_[source_face].valid(); }
   [[nodiscard]] bool is_taken(FaceId target_face) const { return origin_[target_face].valid(); }
   [[nodiscard]] std::size_t matched_faces() const { return matched_; }
+  /// How often a face was laid or lifted: nothing changes while this does not.
+  [[nodiscard]] std::uint32_t changes() const { return changes_; }
+  /// What changes() was when a source face was last laid or lifted; 0 if never.
+  [[nodiscard]] std::uint32_t changed_at(FaceId source_face) const { return changed_at_[source_face]; }
 
   /// The half-edge on which h lies. @pre its face is matched.
   [[nodiscard]] HalfedgeId image(HalfedgeId h) const {
@@ -89,6 +94,7 @@ class Patchwork {
     origin_[target_.face(pair.target)] = face;
     region_[face] = region;
     history_.push_back(pair.source);
+    changed_at_[face] = ++changes_;
     ++matched_;
   }
   /// @pre the face is matched.
@@ -96,6 +102,7 @@ class Patchwork {
     origin_[image(source_face)] = FaceId();
     image_of_first_[source_face] = HalfedgeId();
     region_[source_face] = kNoRegion;
+    changed_at_[source_face] = ++changes_;
     --matched_;
   }
 
@@ -108,6 +115,8 @@ class Patchwork {
   std::vector<HalfedgeId> history_;
   std::uint32_t region_count_ = 0;
   std::size_t matched_ = 0;
+  PerFace<std::uint32_t> changed_at_;  // of each source face
+  std::uint32_t changes_ = 0;
 };
 
 }  // namespace quadmatch::regions

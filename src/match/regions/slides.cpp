@@ -10,7 +10,8 @@
 namespace quadmatch::regions {
 namespace {
 
-constexpr double kBad = 3.0;  // in sigma
+constexpr double kBad = 3.0;   // in sigma
+constexpr double kNear = 0.3;  // in edges
 /// Faces that ghosts may cover in all, by faces of the source.
 constexpr std::size_t kBudget = 6;
 /// What a ghost costs beside its faces.
@@ -37,9 +38,12 @@ class Slides {
   }
 
  private:
+  /// Do lengths fit badly? Where a face lands on its image they only say that the edit is near.
   [[nodiscard]] bool is_bad(HalfedgeId entry) const {
-    return bench_.patchwork.is_matched(source_.face(entry)) &&
-           bench_.misfit.length_error({entry, bench_.patchwork.image(entry)}) > kBad;
+    if (!bench_.patchwork.is_matched(source_.face(entry))) return false;
+    const Candidate pair{entry, bench_.patchwork.image(entry)};
+    if (bench_.misfit.length_error(pair) <= kBad) return false;
+    return !bench_.misfit.is_placed() || bench_.misfit.distance(pair) > kNear;
   }
   [[nodiscard]] std::vector<Candidate> better_shifts(HalfedgeId entry) const {
     const Candidate now{entry, bench_.patchwork.image(entry)};

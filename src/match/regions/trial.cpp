@@ -13,7 +13,8 @@ class Trial {
     const std::vector<Candidate>& pairs = bench_.ghost.pairs();
     for (std::size_t here = 0; here < pairs.size() && pairs.size() < rules_.most_faces; ++here) {
       const Candidate pair = pairs[here];  // the vector grows
-      if (bench_.misfit.disagreeing_corners(pair) == 0 || here == 0) take_neighbours(pair);
+      const bool grows = here == 0 || !rules_.cover_disagreeing || bench_.misfit.disagreeing_corners(pair) == 0;
+      if (grows) take_neighbours(pair);
     }
     return true;
   }
@@ -31,8 +32,11 @@ class Trial {
   }
   bool take(Candidate pair) {
     if (!bench_.ghost.fits(pair)) return false;
-    if (bench_.misfit.uses_lengths() && bench_.misfit.length_error(pair) > rules_.worst_error) return false;
     if (!rules_.cover_disagreeing && bench_.misfit.disagreeing_corners(pair) > 0) return false;
+    if (rules_.worst_error < kAny && bench_.misfit.uses_lengths() &&
+        bench_.misfit.length_error(pair) > rules_.worst_error) {
+      return false;
+    }
     bench_.ghost.accept(pair);
     return true;
   }
@@ -40,7 +44,10 @@ class Trial {
     auto [s, t] = pair;
     do {
       const Candidate beyond{source_.twin(s), target_.twin(t)};
-      if (beyond.source.valid() && beyond.target.valid() && is_free(beyond)) take(beyond);
+      if (beyond.source.valid() && beyond.target.valid() && !bench_.ghost.covers(source_.face(beyond.source)) &&
+          is_free(beyond)) {
+        take(beyond);
+      }
       s = source_.next(s);
       t = target_.next(t);
     } while (s != pair.source);
