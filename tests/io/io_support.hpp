@@ -90,8 +90,8 @@ inline constexpr std::string_view kOff =
     "OFF\n# two quads\n6 2 7\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0.1\n2 1 1e-3\n4 0 1 2 3\n4 1 4 5 2\n";
 
 inline constexpr std::string_view kUsda =
-    "#usda 1.0\n(\n    defaultPrim = \"root\"\n    doc = \"\"\"two\nquads\"\"\"\n)\n\n"
-    "def Xform \"root\" (\n    prepend apiSchemas = [\"Foo\"]\n)\n{\n"
+    "#usda 1.0\n(\n    defaultPrim = \"model\"\n    doc = \"\"\"two\nquads\"\"\"\n)\n\n"
+    "def Xform \"model\" (\n    prepend apiSchemas = [\"Foo\"]\n)\n{\n"
     "    double3 xformOp:translate = (1, 2, 3)\n"
     "    uniform token[] xformOpOrder = [\"xformOp:translate\"]\n"
     "    def Mesh \"body\"\n    {\n"
@@ -103,7 +103,7 @@ inline constexpr std::string_view kUsda =
     "            interpolation = \"faceVarying\"\n        )\n"
     "        int[] primvars:st:indices = [0, 1, 2, 3, 0, 1, 2, 3]\n"
     "        normal3f[] normals = [(0, 0, 1), (0, 0, 1), (0, 0, 1), (0, 0, 1), (0, 0, 1), (0, 0, 1)]\n"
-    "        rel material:binding = </root/Skin>\n"
+    "        rel material:binding = </model/Skin>\n"
     "    }\n}\n";
 
 inline constexpr std::string_view kMatch =

@@ -9,6 +9,10 @@
 
 namespace quadmatch::regions {
 
+/// Faces that a ghost from a seed may cover; that all seeds of a stage may cover, by faces of the source; and what a
+/// seed costs beside its faces. So that no stage is more than linear.
+constexpr std::size_t kSeedFaces = 20000, kSeedsBudget = 6, kSeedCost = 16;
+
 /// Carry a region's map on beyond its rim, in the bench's ghost.
 /// @param faces  entry half-edges of its faces; those that are no longer in it are passed over.
 void extend_region(Workbench& bench, const std::vector<HalfedgeId>& faces, std::uint32_t region);

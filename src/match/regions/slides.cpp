@@ -12,11 +12,6 @@ namespace {
 
 constexpr double kBad = 3.0;   // in sigma
 constexpr double kNear = 0.3;  // in edges
-/// Faces that ghosts may cover in all, by faces of the source.
-constexpr std::size_t kBudget = 6;
-/// What a ghost costs beside its faces.
-constexpr std::size_t kSeed = 16;
-constexpr std::size_t kGhostFaces = 20000;
 /// A shift is tried where it lets the error about a face fall to this share.
 constexpr double kFalls = 0.8;
 
@@ -79,9 +74,9 @@ class Slides {
     return sum / count;
   }
   std::size_t lay(Candidate seed) {
-    if (!extend_seed(bench_, seed, kGhostFaces)) return 0;
+    if (!extend_seed(bench_, seed, kSeedFaces)) return 0;
     for (const Candidate& pair : bench_.ghost.pairs()) tried_[source_.face(pair.source)] = true;
-    spent_ += kSeed + bench_.ghost.pairs().size();
+    spent_ += kSeedCost + bench_.ghost.pairs().size();
     return expand(bench_, bench_.patchwork.fresh_region());
   }
 
@@ -89,7 +84,7 @@ class Slides {
   const Mesh& source_ = bench_.sides.source.mesh;
   const Mesh& target_ = bench_.sides.target.mesh;
   PerFace<bool> tried_;
-  std::size_t budget_ = kBudget * source_.face_count(), spent_ = 0;
+  std::size_t budget_ = kSeedsBudget * source_.face_count(), spent_ = 0;
 };
 
 }  // namespace

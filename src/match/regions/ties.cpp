@@ -11,11 +11,6 @@
 namespace quadmatch::regions {
 namespace {
 
-/// Faces that ghosts may cover in all, by faces of the source.
-constexpr std::size_t kBudget = 6;
-/// What a ghost costs beside its faces.
-constexpr std::size_t kSeed = 16;
-constexpr std::size_t kGhostFaces = 20000;
 /// A face whose image is farther than this, in edges, is asked whether it lies right.
 constexpr double kFar = 0.3;
 
@@ -72,11 +67,11 @@ class Ties {
     return true;
   }
   std::size_t lay(Candidate seed) {
-    if (!extend_seed(bench_, seed, kGhostFaces, true)) return 0;
+    if (!extend_seed(bench_, seed, kSeedFaces, true)) return 0;
     for (const Candidate& pair : bench_.ghost.pairs()) {
       if (bench_.misfit.distance(pair) < kFar) tried_[source_.face(pair.source)] = true;
     }
-    spent_ += kSeed + bench_.ghost.pairs().size();
+    spent_ += kSeedCost + bench_.ghost.pairs().size();
     return expand(bench_, bench_.patchwork.fresh_region());
   }
 
@@ -87,7 +82,7 @@ class Ties {
   const Mesh& source_ = bench_.sides.source.mesh;
   const Mesh& target_ = bench_.sides.target.mesh;
   PerFace<bool> tried_;
-  std::size_t budget_ = kBudget * source_.face_count(), spent_ = 0;
+  std::size_t budget_ = kSeedsBudget * source_.face_count(), spent_ = 0;
 };
 
 }  // namespace
