@@ -66,6 +66,7 @@ bool has_free_component(const Mesh& mesh, const Match& match, FaceId FacePair::*
 /// the meshes have so much in common that one may be the mirror image of the other?
 bool leaves_much_unmatched(const Match& match, const Mesh& source, const Mesh& target) {
   const std::size_t most = std::min(source.face_count(), target.face_count());
+  if (match.matched_faces() == most) return false;
   if (source.face_count() == target.face_count() && match.matched_faces() < most) return true;
   return 4 * match.matched_faces() < 3 * most ||
          (has_free_component(source, match, &FacePair::source) && has_free_component(target, match, &FacePair::target));

@@ -148,9 +148,13 @@ class Mesh {
   /// A hint that the half-edges of a face will be read soon. Growth jumps about in meshes far larger than any cache;
   /// asked for early, the answers of many faces travel at the same time.
   void prefetch(HalfedgeId h) const {
-    __builtin_prefetch(&origin_[h.value]);
-    __builtin_prefetch(&twin_[h.value]);
+    prefetch_corners(h);
+    prefetch_twins(h);
   }
+  /// The same where only the neighbours of the face will be asked for.
+  void prefetch_twins(HalfedgeId h) const { __builtin_prefetch(&twin_[h.value]); }
+  /// The same where only its corners will be.
+  void prefetch_corners(HalfedgeId h) const { __builtin_prefetch(&origin_[h.value]); }
 
   // Geometry, secondary always.
   /// #V points, or none.

@@ -1,9 +1,13 @@
 #include "assemble.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace quadmatch::regions {
 namespace {
+
+/// How many pairs ahead the corners of faces are asked for: long enough for memory to answer.
+constexpr std::size_t kAhead = 16;
 
 /// Notes which vertices have been seen, region after region.
 class Seen {
@@ -29,9 +33,12 @@ class Assembly {
     region.ambiguous = piece.ambiguous;
     region.faces.reserve(piece.pairs.size());
     seen_.start();
-    for (const Candidate& pair : piece.pairs) {
-      region.faces.push_back(face_pair(pair, orientation));
-      weigh_vertices(pair, region.evidence);
+    for (std::size_t k = 0; k < piece.pairs.size(); ++k) {
+      const Candidate& ahead = piece.pairs[std::min(k + kAhead, piece.pairs.size() - 1)];
+      sides_.source.mesh.prefetch_corners(ahead.source);
+      sides_.target.mesh.prefetch_corners(ahead.target);
+      region.faces.push_back(face_pair(piece.pairs[k], orientation));
+      weigh_vertices(piece.pairs[k], region.evidence);
     }
     return region;
   }
@@ -50,8 +57,8 @@ class Assembly {
     auto [s, t] = pair;
     do {
       const VertexId v = sides_.source.mesh.origin(s), w = sides_.target.mesh.origin(t);
-      if (seen_.add(v)) {
-        const VertexCode left = sides_.source.code(v), right = sides_.target.code(w);
+      const VertexCode left = sides_.source.code(v), right = sides_.target.code(w);
+      if ((left.extraordinary() || right.extraordinary()) && seen_.add(v)) {
         evidence.source_extraordinary += left.extraordinary();
         evidence.target_extraordinary += right.extraordinary();
         evidence.agreeing += left.extraordinary() && left == right;
@@ -81,7 +88,11 @@ Match assemble(const Sides& sides, std::vector<Piece> pieces, Orientation orient
 std::vector<VertexPair> combined_vertices(const Mesh& source, const Mesh& target, const std::vector<Region>& regions) {
   PerVertex<VertexId> image(source.vertex_count()), origin(target.vertex_count());
   for (const Region& region : regions) {
-    for (const FacePair& pair : region.faces) {
+    for (std::size_t k = 0; k < region.faces.size(); ++k) {
+      const FacePair& ahead = region.faces[std::min(k + kAhead, region.faces.size() - 1)];
+      source.prefetch_corners(source.first(ahead.source));
+      target.prefetch_corners(target.first(ahead.target));
+      const FacePair& pair = region.faces[k];
       const std::uint32_t size = source.size(pair.source);
       for (std::uint32_t corner = 0; corner < size; ++corner) {
         const std::uint32_t other = image_corner(region.orientation, pair.rotation, corner, size);
@@ -94,6 +105,7 @@ std::vector<VertexPair> combined_vertices(const Mesh& source, const Mesh& target
     }
   }
   std::vector<VertexPair> pairs;
+  pairs.reserve(source.vertex_count());
   for (std::uint32_t v = 0; v < image.size(); ++v) {
     if (image[VertexId(v)].valid()) pairs.push_back({VertexId(v), image[VertexId(v)]});
   }

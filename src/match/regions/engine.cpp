@@ -58,12 +58,14 @@ class Engine {
     lay_anchors(anchors);
     EqualParts equal(bench_, with_lengths_);
     if (stages_.equal_parts) equal.lay_single();
+    bool laid_whole = false;  // and sound as it stands
     if (patchwork_.matched_faces() < most_faces()) {
       match_unequal(equal);
-    } else if (anchors.empty() && misfit_.may_use_positions() && !lies_well(bench_)) {
-      mend();
+    } else if (anchors.empty()) {
+      laid_whole = !misfit_.may_use_positions() || lies_well(bench_);
+      if (!laid_whole) mend();
     }
-    Outcome outcome{split(sides_, patchwork_), !cancelled_};
+    Outcome outcome{laid_whole ? equal.take_pieces() : split(sides_, patchwork_), !cancelled_};
     mark_ties(equal.ties(), outcome.pieces);
     return outcome;
   }

@@ -4,8 +4,6 @@
 #include <tuple>
 #include <unordered_set>
 
-#include "trial.hpp"
-
 namespace quadmatch::regions {
 namespace {
 
@@ -65,7 +63,8 @@ EqualParts::EqualParts(Workbench& bench, const ColouredSpokes& colours)
     : bench_(bench),
       colours_(colours),
       source_parts_(parts_of(bench.sides.source, colours.source)),
-      target_parts_(parts_of(bench.sides.target, colours.target)) {
+      target_parts_(parts_of(bench.sides.target, colours.target)),
+      map_(bench.sides) {
   using Entry = std::tuple<std::uint64_t, std::uint32_t, std::uint32_t>;  // signature, faces, part
   const auto sorted = [](const std::vector<Part>& parts) {
     std::vector<Entry> entries;
@@ -139,22 +138,26 @@ std::vector<Candidate> EqualParts::seeds(const Part& part, const Part& other) co
   return result;
 }
 
-/// Does the map that begins here cover the part with all corners agreeing?
+/// Does the map that begins here cover the part with all corners agreeing, and is all of it still free?
 bool EqualParts::fills(Candidate seed, const Part& part) {
-  const bool grown =
-      grow_trial(bench_, seed, {.most_faces = part.faces, .worst_error = kAny, .cover_disagreeing = false});
-  spent_ += 16 + (grown ? bench_.ghost.pairs().size() : 0);
-  return grown && bench_.ghost.pairs().size() == part.faces;
+  const bool fills = map_.grow(seed, part.faces);
+  spent_ += 16 + map_.pairs().size();
+  const Patchwork& patchwork = bench_.patchwork;
+  return fills &&
+         (patchwork.matched_faces() == 0 || std::all_of(map_.pairs().begin(), map_.pairs().end(), [&](Candidate pair) {
+            return !patchwork.is_matched(bench_.sides.source.mesh.face(pair.source)) &&
+                   !patchwork.is_taken(bench_.sides.target.mesh.face(pair.target));
+          }));
 }
 
-/// How well positions like the map in the ghost; 0 where they do not matter.
-double EqualParts::worth_of_ghost() const {
+/// How well positions like the latest map; 0 where they do not matter.
+double EqualParts::worth_of_map() const {
   double sum = 0;
-  for (const Candidate& pair : bench_.ghost.pairs()) {
+  for (const Candidate& pair : map_.pairs()) {
     if (bench_.misfit.uses_lengths()) sum -= std::min(10.0, bench_.misfit.length_error(pair));
     if (bench_.misfit.is_placed()) sum -= std::min(10.0, bench_.misfit.distance(pair));
   }
-  return sum / static_cast<double>(bench_.ghost.pairs().size());
+  return sum / static_cast<double>(map_.pairs().size());
 }
 
 /// Positions are looked at where there is a choice, and only then.
@@ -198,12 +201,12 @@ EqualParts::Laying EqualParts::best_laying(const Part& part, const Part& other) 
   if (places.size() > 1 && bench_.misfit.is_placed()) nearest_first(places);
   for (const Candidate& seed : places) {
     if (laying.ways >= kMostWays || (laying.ways > 0 && spent_ > budget)) break;
-    laying.in_ghost = false;
+    laying.is_latest = false;
     if (!fills(seed, part)) continue;
-    const double worth = worth_of_ghost();
+    const double worth = worth_of_map();
     if (laying.ways++ == 0 || worth > best) {
       laying.seed = seed;
-      laying.in_ghost = true;
+      laying.is_latest = true;
       best = worth;
     }
     worst = laying.ways == 1 ? worth : std::min(worst, worth);
@@ -214,8 +217,10 @@ EqualParts::Laying EqualParts::best_laying(const Part& part, const Part& other) 
 
 std::size_t EqualParts::lay(const Part& part, const Part& other, std::uint32_t equals) {
   const Laying laying = best_laying(part, other);
-  if (laying.ways == 0 || (!laying.in_ghost && !fills(laying.seed, part))) return 0;
-  keep_trial(bench_);
+  if (laying.ways == 0 || (!laying.is_latest && !fills(laying.seed, part))) return 0;
+  const std::uint32_t region = bench_.patchwork.fresh_region();
+  for (const Candidate& pair : map_.pairs()) bench_.patchwork.lay(pair, region);
+  pieces_.push_back({.pairs = map_.pairs(), .waves = map_.waves()});
   const std::uint32_t ways = laying.ways * equals;
   const bool placed = equals == 1 || bench_.misfit.is_placed();
   if (ways > 1) ties_.push_back({part.first_face, ways, placed && (laying.ways == 1 || laying.by_positions)});
@@ -228,7 +233,6 @@ std::size_t EqualParts::lay_single() {
     if (equal.source.size() != 1 || equal.target.size() != 1) continue;
     matched += lay(source_parts_[equal.source[0]], target_parts_[equal.target[0]], 1);
   }
-  bench_.ghost.restart();
   return matched;
 }
 
@@ -270,7 +274,6 @@ std::size_t EqualParts::lay_repeated() {
       matched += lay(part, other, equals);
     }
   }
-  bench_.ghost.restart();
   return matched;
 }
 

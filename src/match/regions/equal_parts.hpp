@@ -10,6 +10,8 @@
 
 #include "ignition.hpp"
 #include "mending.hpp"
+#include "split.hpp"
+#include "whole_map.hpp"
 
 namespace quadmatch::regions {
 
@@ -34,6 +36,8 @@ class EqualParts {
   std::size_t lay_repeated();
 
   [[nodiscard]] const std::vector<Tie>& ties() const { return ties_; }
+  /// The parts that were laid, each as it was grown, in order. The patchwork may have changed since.
+  [[nodiscard]] std::vector<Piece> take_pieces() { return std::move(pieces_); }
 
  private:
   /// A component of one mesh and all that an equal one shares with it.
@@ -52,7 +56,7 @@ class EqualParts {
     Candidate seed;
     std::uint32_t ways = 0;
     bool by_positions = false;
-    bool in_ghost = false;  ///< it was the last that was grown
+    bool is_latest = false;  ///< it was the last that was grown
   };
 
   [[nodiscard]] static std::vector<Part> parts_of(const Side& side, const SpokeColours& colours);
@@ -60,7 +64,7 @@ class EqualParts {
   [[nodiscard]] std::vector<Candidate> seeds(const Part& part, const Part& other) const;
   [[nodiscard]] bool fills(Candidate seed, const Part& part);
   [[nodiscard]] Laying best_laying(const Part& part, const Part& other);
-  [[nodiscard]] double worth_of_ghost() const;
+  [[nodiscard]] double worth_of_map() const;
   std::size_t lay(const Part& part, const Part& other, std::uint32_t equals);
   /// Pairs of a class's members, the nearest first.
   [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> nearest_pairs(const Class& equal) const;
@@ -71,6 +75,8 @@ class EqualParts {
   const ColouredSpokes& colours_;
   std::vector<Part> source_parts_, target_parts_;
   std::vector<Class> classes_;
+  WholeMap map_;
+  std::vector<Piece> pieces_;
   std::vector<Tie> ties_;
   bool looked_ = false;
   std::size_t spent_ = 0;  // faces grown in trials of one part

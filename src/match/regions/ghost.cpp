@@ -3,15 +3,10 @@
 namespace quadmatch::regions {
 
 Ghost::Ghost(const Sides& sides, const Patchwork& patchwork)
-    : source_(sides.source.mesh),
-      target_(sides.target.mesh),
-      patchwork_(patchwork),
-      pair_of_(source_.face_count(), kNone),
-      pair_on_(target_.face_count(), kNone),
-      source_partner_(source_.vertex_count()),
-      target_partner_(target_.vertex_count()) {}
+    : source_(sides.source.mesh), target_(sides.target.mesh), patchwork_(patchwork) {}
 
 void Ghost::restart(std::uint32_t base) {
+  if (pair_of_.size() == 0) make_room();
   for (const Candidate& pair : pairs_) {
     const FaceId face = source_.face(pair.source), other = target_.face(pair.target);
     pair_of_[face] = pair_on_[other] = kNone;
@@ -20,6 +15,13 @@ void Ghost::restart(std::uint32_t base) {
   }
   pairs_.clear();
   base_ = base;
+}
+
+void Ghost::make_room() {
+  pair_of_ = PerFace<std::uint32_t>(source_.face_count(), kNone);
+  pair_on_ = PerFace<std::uint32_t>(target_.face_count(), kNone);
+  source_partner_ = PerVertex<VertexId>(source_.vertex_count());
+  target_partner_ = PerVertex<VertexId>(target_.vertex_count());
 }
 
 HalfedgeId Ghost::image(HalfedgeId h) const {

@@ -11,10 +11,10 @@ namespace quadmatch::regions {
 
 class Ghost {
  public:
-  /// Memory for both meshes; make one and use it again and again.
+  /// Takes memory for both meshes with the first restart(); make one and use it again and again.
   Ghost(const Sides& sides, const Patchwork& patchwork);
 
-  /// Forget all pairs, at the cost of making them, and carry on the map of a region, or of none.
+  /// Forget all pairs, at the cost of making them, and carry on the map of a region, or of none. Call it first.
   void restart(std::uint32_t base = Patchwork::kNoRegion);
 
   /// May this pair join? Both faces are free of ghost and base, of one size, agree with their vertex map at every
@@ -36,6 +36,7 @@ class Ghost {
   static constexpr std::uint32_t kNone = 0xffffffff;
 
  private:
+  void make_room();
   [[nodiscard]] bool in_base(FaceId source_face) const {
     return base_ != Patchwork::kNoRegion && patchwork_.region(source_face) == base_;
   }
