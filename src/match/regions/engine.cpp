@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "assemble.hpp"
 #include "equal_parts.hpp"
 #include "fire.hpp"
 #include "ignition.hpp"
@@ -66,7 +67,9 @@ class Engine {
       if (!laid_whole) mend();
     }
     Outcome outcome{laid_whole ? equal.take_pieces() : split(sides_, patchwork_), !cancelled_};
-    mark_ties(equal.ties(), outcome.pieces);
+    const PieceOfRegion piece_of = piece_of_region(outcome.pieces);
+    weigh_pieces(sides_, patchwork_, piece_of, outcome.pieces);
+    mark_ties(equal.ties(), piece_of, outcome.pieces);
     return outcome;
   }
 
@@ -149,12 +152,16 @@ class Engine {
     return restart(bench_) > 0;
   }
 
-  /// Tell the pieces that were laid whole in one of several ways.
-  void mark_ties(const std::vector<Tie>& ties, std::vector<Piece>& pieces) const {
-    std::vector<std::uint32_t> piece_of(patchwork_.region_count(), 0);
+  [[nodiscard]] PieceOfRegion piece_of_region(const std::vector<Piece>& pieces) const {
+    PieceOfRegion piece_of(patchwork_.region_count(), kNoPiece);
     for (std::uint32_t number = 0; number < pieces.size(); ++number) {
       piece_of[patchwork_.region(sides_.source.mesh.face(pieces[number].pairs.front().source))] = number;
     }
+    return piece_of;
+  }
+
+  /// Tell the pieces that were laid whole in one of several ways.
+  void mark_ties(const std::vector<Tie>& ties, const PieceOfRegion& piece_of, std::vector<Piece>& pieces) const {
     for (const Tie& tie : ties) {
       if (!patchwork_.is_matched(tie.face)) continue;
       Piece& piece = pieces[piece_of[patchwork_.region(tie.face)]];

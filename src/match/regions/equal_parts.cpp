@@ -21,8 +21,8 @@ std::uint64_t mixed(std::uint64_t x) {
 
 }  // namespace
 
-std::vector<EqualParts::Part> EqualParts::parts_of(const Side& side, const SpokeColours& colours) {
-  const Components components = connected_components(side.mesh);
+std::vector<EqualParts::Part> EqualParts::parts_of(const Side& side, const SpokeColours& colours,
+                                                   const Components& components) {
   std::vector<Part> parts(components.face_count.size());
   for (std::uint32_t f = 0; f < side.mesh.face_count(); ++f) {
     Part& part = parts[components.of_face[FaceId(f)]];
@@ -60,11 +60,16 @@ Point EqualParts::middle_of(const Mesh& mesh, const Part& part) {
 }
 
 EqualParts::EqualParts(Workbench& bench, const ColouredSpokes& colours)
-    : bench_(bench),
-      colours_(colours),
-      source_parts_(parts_of(bench.sides.source, colours.source)),
-      target_parts_(parts_of(bench.sides.target, colours.target)),
-      map_(bench.sides) {
+    : bench_(bench), colours_(colours), map_(bench.sides) {
+  const Components components = connected_components(bench.sides.source.mesh);
+  source_parts_ = parts_of(bench.sides.source, colours.source, components);
+  // What equals a part of all the source's faces is all of a target of as many: whether that too is connected, the map
+  // will tell.
+  const Mesh& target = bench.sides.target.mesh;
+  const bool is_one = source_parts_.size() == 1 && target.face_count() == source_parts_.front().faces;
+  target_parts_ = parts_of(bench.sides.target, colours.target,
+                           is_one ? Components{PerFace<std::uint32_t>(target.face_count(), 0), {target.face_count()}}
+                                  : connected_components(target));
   using Entry = std::tuple<std::uint64_t, std::uint32_t, std::uint32_t>;  // signature, faces, part
   const auto sorted = [](const std::vector<Part>& parts) {
     std::vector<Entry> entries;

@@ -59,7 +59,8 @@ class EqualParts {
     bool is_latest = false;  ///< it was the last that was grown
   };
 
-  [[nodiscard]] static std::vector<Part> parts_of(const Side& side, const SpokeColours& colours);
+  [[nodiscard]] static std::vector<Part> parts_of(const Side& side, const SpokeColours& colours,
+                                                  const Components& components);
   [[nodiscard]] static Point middle_of(const Mesh& mesh, const Part& part);
   [[nodiscard]] std::vector<Candidate> seeds(const Part& part, const Part& other) const;
   [[nodiscard]] bool fills(Candidate seed, const Part& part);

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include <quadmatch/mesh/match.hpp>
+
 #include "patchwork.hpp"
 
 namespace quadmatch::regions {
@@ -12,6 +14,8 @@ struct Piece {
   std::vector<Candidate> pairs;
   /// How many pairs had been reached at the end of each wave.
   std::vector<std::uint32_t> waves;
+  /// What speaks for it: see weigh_pieces().
+  Evidence evidence = {};
   /// How many maps are as good, and whether none of them is better (see Region).
   std::uint32_t ways = 1;
   bool ambiguous = false;

@@ -3,14 +3,20 @@
 namespace quadmatch::regions {
 
 WholeMap::WholeMap(const Sides& sides)
-    : source_(sides.source.mesh), target_(sides.target.mesh), image_of_first_(source_.face_count()) {
+    : source_(sides.source.mesh),
+      target_(sides.target.mesh),
+      image_of_first_(source_.face_count()),
+      taken_(target_.face_count(), false) {
   if (source_.split_vertices().empty() && target_.split_vertices().empty()) return;
   source_partner_ = PerVertex<Partner>(source_.vertex_count());
   target_partner_ = PerVertex<Partner>(target_.vertex_count());
 }
 
 void WholeMap::forget() {
-  for (const Candidate& pair : pairs_) image_of_first_[source_.face(pair.source)] = HalfedgeId();
+  for (const auto& [s, t] : pairs_) {
+    image_of_first_[source_.face(s)] = HalfedgeId();
+    taken_[target_.face(t).value] = false;
+  }
   pairs_.clear();
   waves_.clear();
   ++number_;
@@ -29,13 +35,14 @@ bool WholeMap::grow(Candidate seed, std::uint32_t faces) {
 
 /// Map a face. @pre it is not mapped.
 bool WholeMap::reach(Candidate pair) {
-  const FaceId face = source_.face(pair.source);
+  const FaceId face = source_.face(pair.source), other = target_.face(pair.target);
   const std::uint32_t size = source_.size(face);
-  if (size != target_.size(target_.face(pair.target))) return false;
+  if (size != target_.size(other) || taken_[other.value]) return false;
   // What lies beyond is asked for when this face's turn comes, a whole wave later.
   source_.prefetch_twins(pair.source);
   target_.prefetch_twins(pair.target);
   image_of_first_[face] = turned(target_, pair.target, size - source_.corner(pair.source));
+  taken_[other.value] = true;
   pairs_.push_back(pair);
   return true;
 }

@@ -10,17 +10,17 @@ namespace quadmatch::regions {
 
 /// Grows such a map from one pair of half-edges, and finds out whether there is one.
 ///
-/// Far cheaper than a ghost: a map that keeps every adjacency in both directions covers its image evenly, each face as
-/// often as any other. Where both components have as many faces it therefore covers each once, and nothing need be
-/// noted of the target; and where no vertex has several fans, the vertex map comes with the faces.
+/// Far cheaper than a ghost: it stops at the first disagreement, so that little need be noted. Where no vertex has
+/// several fans, the vertex map comes with the faces.
 class WholeMap {
  public:
-  /// Memory for the source; make one and use it again and again.
+  /// Memory for both meshes; make one and use it again and again.
   explicit WholeMap(const Sides& sides);
 
   /// Carry the map that begins with a pair of half-edges over the whole component of the source.
-  /// @param faces  of the source's component and of the target's.
-  /// @return       true if it covers the other with all corners agreeing; else what it holds is of no use.
+  /// @param faces  of the source's component.
+  /// @return       true if it reaches them all with all corners agreeing, each face once; else what it holds is of no
+  /// use.
   /// @par Cost     O(faces mapped), and of those that were mapped before.
   bool grow(Candidate seed, std::uint32_t faces);
 
@@ -44,6 +44,7 @@ class WholeMap {
   const Mesh& source_;
   const Mesh& target_;
   PerFace<HalfedgeId> image_of_first_;  // of each source face that is mapped
+  std::vector<bool> taken_;             // target faces
   std::vector<Candidate> pairs_;
   std::vector<std::uint32_t> waves_;
   std::uint32_t number_ = 0;                            // of the map
