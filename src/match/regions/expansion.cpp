@@ -11,10 +11,13 @@ namespace {
 constexpr std::uint32_t kMostBadSteps = 6;
 constexpr double kBadError = 3.0;     // in sigma
 constexpr double kBadDistance = 0.5;  // in edges
+/// How much dearer than it is now a ghost may make the faces on its way: what lies beyond will not pay for more.
+constexpr double kMostDebt = 3.0;
 
 struct Step {
   Candidate pair;
   std::uint32_t bad_steps;
+  double debt;
 };
 
 /// Lays what fits, nearest first, and stops where corners disagree or lengths long have.
@@ -23,12 +26,12 @@ class Extension {
   Extension(Workbench& bench, std::size_t most_faces, bool near_only = false)
       : bench_(bench), most_(most_faces), near_only_(near_only) {}
 
-  void push_neighbours(Candidate pair, std::uint32_t bad_steps) {
+  void push_neighbours(Candidate pair, std::uint32_t bad_steps, double debt) {
     auto [s, t] = pair;
     do {
       const Candidate beyond{source_.twin(s), target_.twin(t)};
       if (beyond.source.valid() && beyond.target.valid() && !bench_.ghost.covers(source_.face(beyond.source))) {
-        steps_.push_back({beyond, bad_steps});
+        steps_.push_back({beyond, bad_steps, debt});
       }
       s = source_.next(s);
       t = target_.next(t);
@@ -45,14 +48,21 @@ class Extension {
     if (!bench_.ghost.fits(step.pair)) return;
     step.bad_steps = is_bad(step.pair) ? step.bad_steps + 1 : 0;
     if (step.bad_steps > kMostBadSteps) return;
-    bench_.ghost.accept(step.pair);
     // What lies so already has nothing to gain, nor has what is beyond it.
-    if (lies_so_now(step.pair)) return;
-    if (bench_.misfit.disagreeing_corners(step.pair) == 0) push_neighbours(step.pair, step.bad_steps);
+    const bool gains = !lies_so_now(step.pair);
+    if (gains) step.debt = std::max(0.0, step.debt + extra_cost(step.pair));
+    if (step.debt > kMostDebt) return;
+    bench_.ghost.accept(step.pair);
+    if (gains && bench_.misfit.disagreeing_corners(step.pair) == 0) {
+      push_neighbours(step.pair, step.bad_steps, step.debt);
+    }
   }
 
   [[nodiscard]] bool lies_so_now(Candidate pair) const {
     return bench_.patchwork.is_matched(source_.face(pair.source)) && bench_.patchwork.image(pair.source) == pair.target;
+  }
+  [[nodiscard]] double extra_cost(Candidate pair) const {
+    return bench_.misfit.cost(pair) - bench_.misfit.present_cost(bench_.patchwork, source_.face(pair.source));
   }
   [[nodiscard]] bool is_bad(Candidate pair) const {
     return (bench_.misfit.uses_lengths() && bench_.misfit.length_error(pair) > kBadError) ||
@@ -96,13 +106,11 @@ class Expansion {
   [[nodiscard]] bool lies_so_now(Candidate pair) const {
     return patchwork_.is_matched(source_.face(pair.source)) && patchwork_.image(pair.source) == pair.target;
   }
-  [[nodiscard]] double cost_now(FaceId face) const {
-    const HalfedgeId first = source_.first(face);
-    return patchwork_.is_matched(face) ? bench_.misfit.cost({first, patchwork_.image(first)}) : Misfit::kUnmatched;
-  }
+  [[nodiscard]] double cost_now(FaceId face) const { return bench_.misfit.present_cost(patchwork_, face); }
   void add_face(std::uint32_t i, Candidate pair) {
     const FaceId face = source_.face(pair.source);
-    cut_.add_cost(i, cost_now(face), bench_.misfit.cost(pair));
+    const double now = cost_now(face);
+    cut_.add_cost(i, now, lies_so_now(pair) ? now : bench_.misfit.cost(pair));
     const FaceId owner = patchwork_.origin(target_.face(pair.target));
     if (owner.valid() && owner != face) add_eviction(i, owner);
     auto [s, t] = pair;
@@ -158,7 +166,7 @@ void extend_region(Workbench& bench, const std::vector<HalfedgeId>& faces, std::
   Extension extension(bench, 3 * faces.size() + 3000);
   for (const HalfedgeId entry : faces) {
     if (bench.patchwork.region(bench.sides.source.mesh.face(entry)) == region) {
-      extension.push_neighbours({entry, bench.patchwork.image(entry)}, 0);
+      extension.push_neighbours({entry, bench.patchwork.image(entry)}, 0, 0);
     }
   }
   extension.run();
@@ -169,7 +177,7 @@ bool extend_seed(Workbench& bench, Candidate seed, std::size_t most_faces, bool 
   if (!bench.ghost.fits(seed)) return false;
   Extension extension(bench, most_faces, near_only);
   bench.ghost.accept(seed);
-  extension.push_neighbours(seed, 0);
+  extension.push_neighbours(seed, 0, 0);
   extension.run();
   return true;
 }

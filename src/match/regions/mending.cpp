@@ -49,8 +49,7 @@ std::size_t drop_misfits(Workbench& bench) {
   std::size_t dropped = 0;
   for (std::uint32_t f = 0; f < source.face_count(); ++f) {
     if (!bench.patchwork.is_matched(FaceId(f))) continue;
-    const HalfedgeId first = source.first(FaceId(f));
-    if (bench.misfit.cost({first, bench.patchwork.image(first)}) <= Misfit::kUnmatched) continue;
+    if (bench.misfit.present_cost(bench.patchwork, FaceId(f)) <= Misfit::kUnmatched) continue;
     if (neighbours_in_place(bench, FaceId(f)) >= kEnough) continue;
     bench.patchwork.lift(FaceId(f));
     ++dropped;

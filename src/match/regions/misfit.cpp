@@ -92,7 +92,13 @@ bool Misfit::load_lengths() {
   return with_positions_;
 }
 
+void Misfit::pin(std::vector<Candidate> pairs) {
+  ++costs_known_;
+  pins_ = std::move(pairs);
+}
+
 void Misfit::assume() {
+  ++costs_known_;
   constexpr double kUsualSigma = 0.1;
   uses_lengths_ = load_lengths();
   learnt_ = false;
@@ -102,6 +108,7 @@ void Misfit::assume() {
 }
 
 void Misfit::calibrate(const Patchwork& patchwork) {
+  ++costs_known_;
   uses_lengths_ = false;
   if (patchwork.matched_faces() == 0 || !load_lengths()) return;
   const std::vector<Candidate> sample = sample_of(sides_.source.mesh, patchwork);
@@ -185,6 +192,18 @@ double Misfit::cost(Candidate pair) const {
   return 0.9 * error + 0.15 * disagreeing * (error > 0.3 ? 1.0 : 0.3) + away;
 }
 
+double Misfit::present_cost(const Patchwork& patchwork, FaceId source_face) {
+  if (!patchwork.is_matched(source_face)) return kUnmatched;
+  if (kept_.size() == 0) kept_ = PerFace<Kept>(sides_.source.mesh.face_count());
+  Kept& kept = kept_[source_face];
+  const std::uint32_t changed_at = patchwork.changed_at(source_face);
+  if (kept.changed_at != changed_at || kept.costs != costs_known_) {
+    const HalfedgeId first = sides_.source.mesh.first(source_face);
+    kept = {changed_at, costs_known_, cost({first, patchwork.image(first)})};
+  }
+  return kept.cost;
+}
+
 double Misfit::distance(Candidate pair) const {
   const FaceId q = sides_.source.mesh.face(pair.source), r = sides_.target.mesh.face(pair.target);
   const Point& there = placed_middles_[q];
@@ -193,6 +212,7 @@ double Misfit::distance(Candidate pair) const {
 }
 
 void Misfit::place(const std::optional<Similarity>& placement, double edge) {
+  ++costs_known_;
   placement_ = placement;
   edge_ = edge;
   if (!placement) return;

@@ -45,7 +45,7 @@ class Misfit {
   void calibrate(const Patchwork& patchwork);
 
   /// What the user said: these pairs cost nothing, and any other for the same faces more than can be gained.
-  void pin(std::vector<Candidate> pairs) { pins_ = std::move(pairs); }
+  void pin(std::vector<Candidate> pairs);
   [[nodiscard]] const std::vector<Candidate>& pins() const { return pins_; }
   /// Let distance decide between equals.
   /// @param placement  of the source in the space of the target; nothing: distances mean nothing.
@@ -70,8 +70,16 @@ class Misfit {
   [[nodiscard]] std::uint32_t disagreeing_corners(Candidate pair) const;
   /// 0 for a perfect pair; above kUnmatched it is better to leave the face unmatched.
   [[nodiscard]] double cost(Candidate pair) const;
+  /// What a source face costs as it lies now. Kept until the face or the costs change.
+  [[nodiscard]] double present_cost(const Patchwork& patchwork, FaceId source_face);
 
  private:
+  /// A cost, and the state of face and costs for which it holds.
+  struct Kept {
+    std::uint32_t changed_at = 0;
+    std::uint32_t costs = 0;
+    double cost = 0;
+  };
   [[nodiscard]] double raw_error(Candidate pair) const;
   [[nodiscard]] bool load_lengths();
   [[nodiscard]] double cost_by_pins(Candidate pair) const;
@@ -87,6 +95,8 @@ class Misfit {
   std::optional<Similarity> placement_;
   PerFace<Point> placed_middles_, target_middles_;  // of faces, where the source is placed
   double edge_ = 1.0;
+  PerFace<Kept> kept_;             // of source faces
+  std::uint32_t costs_known_ = 0;  // how often what a pair costs has changed
 };
 
 }  // namespace quadmatch::regions
