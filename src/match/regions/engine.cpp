@@ -105,7 +105,6 @@ class Engine {
       fire.settle();
     }
     if (!report()) return;
-    split(sides_, patchwork_);
     if (stages_.equal_parts) equal.lay_repeated();
     mend();
     for (int round = 0; round < kMostRestarts && stages_.restarts && report(); ++round) {

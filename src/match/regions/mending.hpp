@@ -3,11 +3,13 @@
 /// costs, and one ghost to try things with.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "ghost.hpp"
 #include "misfit.hpp"
 #include "patchwork.hpp"
+#include "vertex_grid.hpp"
 
 namespace quadmatch::regions {
 
@@ -17,6 +19,7 @@ struct Workbench {
   Patchwork& patchwork;
   Misfit& misfit;
   Ghost& ghost;
+  std::optional<VertexGrid> target_grid = std::nullopt;  ///< once it was asked where the source lies
 };
 
 /// The entry half-edges of each region's faces, in the order in which they were matched.

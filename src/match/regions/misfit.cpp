@@ -14,8 +14,8 @@ constexpr double kAway = 0.04;
 
 float log_distance(const Point& a, const Point& b) {
   const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-  constexpr double kTiny = 1e-30;  // two vertices in one place
-  return static_cast<float>(0.5 * std::log(std::max(x * x + y * y + z * z, kTiny)));
+  constexpr double kTiny = 1e-30, kVast = 1e30;  // two vertices in one place, and what is beyond all sense
+  return 0.5F * std::log(static_cast<float>(std::clamp(x * x + y * y + z * z, kTiny, kVast)));
 }
 
 /// The value that a share of the numbers stay below; reorders them. @pre not empty.

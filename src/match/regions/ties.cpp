@@ -6,7 +6,6 @@
 
 #include "expansion.hpp"
 #include "mending.hpp"
-#include "placement.hpp"
 
 namespace quadmatch::regions {
 namespace {
@@ -20,7 +19,7 @@ class Ties {
       : bench_(bench),
         placement_(*bench.misfit.placement()),
         edge_(bench.misfit.edge()),
-        grid_(bench.sides.target.mesh, edge_),
+        landings_(source_.vertex_count()),
         tried_(source_.face_count(), false) {}
 
   std::size_t settle() {
@@ -38,12 +37,18 @@ class Ties {
   }
 
  private:
+  /// The target vertex on which one of the source lands, if any is near; found when it is first asked for.
+  struct Landing {
+    bool known = false;
+    VertexId vertex;
+  };
+
   [[nodiscard]] bool lies_near(HalfedgeId entry) const {
     return bench_.patchwork.is_matched(source_.face(entry)) &&
            bench_.misfit.distance({entry, bench_.patchwork.image(entry)}) < kFar;
   }
   /// The target face whose corners are where these land, if there is one.
-  [[nodiscard]] Candidate nearest_pair(HalfedgeId entry) const {
+  [[nodiscard]] Candidate nearest_pair(HalfedgeId entry) {
     const VertexId w = landing(entry);
     if (!w.valid()) return {};
     const HalfedgeId some = target_.halfedge(FanId(w.value));
@@ -53,10 +58,15 @@ class Ties {
     }
     return {};
   }
-  [[nodiscard]] VertexId landing(HalfedgeId s) const {
-    return grid_.nearest(placement_(source_.positions()[source_.origin(s).value]), kFar * edge_);
+  [[nodiscard]] VertexId landing(HalfedgeId s) {
+    const VertexId v = source_.origin(s);
+    Landing& landing = landings_[v];
+    if (!landing.known) {
+      landing = {true, bench_.target_grid->nearest(placement_(source_.positions()[v.value]), kFar * edge_)};
+    }
+    return landing.vertex;
   }
-  [[nodiscard]] bool corners_land(HalfedgeId entry, HalfedgeId t) const {
+  [[nodiscard]] bool corners_land(HalfedgeId entry, HalfedgeId t) {
     if (source_.size(source_.face(entry)) != target_.size(target_.face(t))) return false;
     HalfedgeId s = entry;
     do {
@@ -78,9 +88,9 @@ class Ties {
   Workbench& bench_;
   Similarity placement_;
   double edge_;
-  VertexGrid grid_;
   const Mesh& source_ = bench_.sides.source.mesh;
   const Mesh& target_ = bench_.sides.target.mesh;
+  PerVertex<Landing> landings_;
   PerFace<bool> tried_;
   std::size_t budget_ = kSeedsBudget * source_.face_count(), spent_ = 0;
 };

@@ -1,0 +1,75 @@
+#include "vertex_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "similarity.hpp"
+
+namespace quadmatch::regions {
+
+VertexGrid::VertexGrid(const Mesh& mesh, double cell) : mesh_(mesh), cell_(cell) {
+  const std::span<const Point> positions = mesh.positions();
+  vertices_.reserve(positions.size());
+  for (std::uint32_t v = 0; v < positions.size(); ++v) {
+    vertices_.emplace_back(key_of(cell_of(positions[v])), VertexId(v));
+  }
+  std::sort(vertices_.begin(), vertices_.end());
+}
+
+VertexGrid::Cell VertexGrid::cell_of(const Point& p) const {
+  Cell cell;
+  constexpr double kFar = 1e15;  // beyond, all is one cell: no mesh of sense is that wide
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    cell[axis] = static_cast<std::int64_t>(std::clamp(std::floor(p[axis] / cell_), -kFar, kFar));
+  }
+  return cell;
+}
+
+/// Cells may share a key; what is found is measured anyway.
+std::uint64_t VertexGrid::key_of(const Cell& cell) {
+  std::uint64_t key = 0;
+  for (const std::int64_t number : cell) key = (key ^ static_cast<std::uint64_t>(number)) * 0x9e3779b97f4a7c15U;
+  return key;
+}
+
+template <class Visit>
+void VertexGrid::near(const Point& p, double distance, Visit visit) const {
+  const Cell low = cell_of({p[0] - distance, p[1] - distance, p[2] - distance});
+  const Cell high = cell_of({p[0] + distance, p[1] + distance, p[2] + distance});
+  for (std::int64_t x = low[0]; x <= high[0]; ++x) {
+    for (std::int64_t y = low[1]; y <= high[1]; ++y) {
+      for (std::int64_t z = low[2]; z <= high[2]; ++z) {
+        const std::uint64_t key = key_of({x, y, z});
+        for (auto it = std::lower_bound(vertices_.begin(), vertices_.end(), std::pair(key, VertexId(0)));
+             it != vertices_.end() && it->first == key; ++it) {
+          const double away = squared_distance(mesh_.positions()[it->second.value], p);
+          if (away <= distance * distance) visit(it->second, away);
+        }
+      }
+    }
+  }
+}
+
+VertexId VertexGrid::nearest(const Point& p, double distance) const {
+  VertexId best;
+  double least = 0;
+  near(p, distance, [&](VertexId v, double away) {
+    if (best.valid() && away >= least) return;
+    best = v;
+    least = away;
+  });
+  return best;
+}
+
+bool VertexGrid::any_within(const Point& p, double distance) const { return nearest(p, distance).valid(); }
+
+double mean_edge(const Mesh& mesh) {
+  double sum = 0;
+  for (std::uint32_t number = 0; number < mesh.halfedge_count(); ++number) {
+    const HalfedgeId h(number);
+    sum += std::sqrt(squared_distance(mesh.positions()[mesh.origin(h).value], mesh.positions()[mesh.tip(h).value]));
+  }
+  return mesh.halfedge_count() == 0 ? 0 : sum / mesh.halfedge_count();
+}
+
+}  // namespace quadmatch::regions
