@@ -161,9 +161,10 @@ class Expansion {
 
 }  // namespace
 
-void extend_region(Workbench& bench, const std::vector<HalfedgeId>& faces, std::uint32_t region) {
+void extend_region(Workbench& bench, const std::vector<HalfedgeId>& faces, std::uint32_t region,
+                   std::size_t most_faces) {
   bench.ghost.restart(region);
-  Extension extension(bench, 3 * faces.size() + 3000);
+  Extension extension(bench, most_faces);
   for (const HalfedgeId entry : faces) {
     if (bench.patchwork.region(bench.sides.source.mesh.face(entry)) == region) {
       extension.push_neighbours({entry, bench.patchwork.image(entry)}, 0, 0);

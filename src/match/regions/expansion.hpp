@@ -14,8 +14,9 @@ namespace quadmatch::regions {
 constexpr std::size_t kSeedFaces = 20000, kSeedsBudget = 6, kSeedCost = 16;
 
 /// Carry a region's map on beyond its rim, in the bench's ghost.
-/// @param faces  entry half-edges of its faces; those that are no longer in it are passed over.
-void extend_region(Workbench& bench, const std::vector<HalfedgeId>& faces, std::uint32_t region);
+/// @param faces  entry half-edges of the faces to begin from; those that are not in the region are passed over.
+void extend_region(Workbench& bench, const std::vector<HalfedgeId>& faces, std::uint32_t region,
+                   std::size_t most_faces);
 
 /// Grow a map from one pair, whoever has the faces.
 /// @param near_only  give up as well where faces land far from their images. @pre the misfit is placed

@@ -60,21 +60,23 @@ PerFace<Point> middles_of(const Mesh& mesh) {
 
 }  // namespace
 
-Lengths::Lengths(const Mesh& mesh) : edge_(mesh.halfedge_count()), diagonal_(mesh.halfedge_count()) {
+Lengths::Lengths(const Mesh& mesh) : at_(mesh.halfedge_count()) {
   const std::span<const Point> positions = mesh.positions();
   for (std::uint32_t number = 0; number < mesh.halfedge_count(); ++number) {
     const HalfedgeId h(number), next = mesh.next(h), twin = mesh.twin(h);
     const Point& here = positions[mesh.origin(h).value];
-    edge_[h] = twin < h ? edge_[twin] : log_distance(here, positions[mesh.origin(next).value]);
+    at_[h].edge = twin < h ? at_[twin].edge : log_distance(here, positions[mesh.origin(next).value]);
     // A quad's second half of the diagonals is its first from the other end.
     const HalfedgeId opposite = mesh.next(next);
     const bool known = opposite < h && mesh.next(mesh.next(opposite)) == h;
-    diagonal_[h] = known ? diagonal_[opposite] : log_distance(here, positions[mesh.origin(opposite).value]);
+    at_[h].diagonal = known ? at_[opposite].diagonal : log_distance(here, positions[mesh.origin(opposite).value]);
   }
 }
 
 float Lengths::median_edge() const {
-  std::vector<float> lengths(edge_.begin(), edge_.end());
+  std::vector<float> lengths;
+  lengths.reserve(at_.size());
+  for (const Pair& pair : at_) lengths.push_back(pair.edge);
   return quantile(lengths, 0.5);
 }
 

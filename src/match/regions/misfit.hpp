@@ -16,14 +16,17 @@ class Lengths {
   explicit Lengths(const Mesh& mesh);
 
   /// From the corner that h leaves, along its edge.
-  [[nodiscard]] float edge(HalfedgeId h) const { return edge_[h]; }
+  [[nodiscard]] float edge(HalfedgeId h) const { return at_[h].edge; }
   /// From the corner that h leaves to the one after the next.
-  [[nodiscard]] float diagonal(HalfedgeId h) const { return diagonal_[h]; }
+  [[nodiscard]] float diagonal(HalfedgeId h) const { return at_[h].diagonal; }
   /// The median over all half-edges. @pre there are some
   [[nodiscard]] float median_edge() const;
 
  private:
-  PerHalfedge<float> edge_, diagonal_;
+  struct Pair {
+    float edge = 0, diagonal = 0;  // side by side: they are asked for together
+  };
+  PerHalfedge<Pair> at_;
 };
 
 /// What it costs to lay a face on another, to leave it unmatched, and to let two regions meet: the terms of the sum

@@ -9,17 +9,24 @@ namespace {
 
 constexpr int kPasses = 2;
 
-/// Has a face of a region, or one beside it, changed since?
-bool has_changed(const Workbench& bench, const std::vector<HalfedgeId>& faces, std::uint32_t since) {
+/// The faces of a region that have changed since, or that lie beside one that has: where else its map could be carried
+/// on was tried then.
+std::vector<HalfedgeId> changed_faces(const Workbench& bench, const std::vector<HalfedgeId>& faces,
+                                      std::uint32_t since) {
   const Mesh& source = bench.sides.source.mesh;
-  for (const HalfedgeId entry : faces) {
-    if (bench.patchwork.changed_at(source.face(entry)) > since) return true;
-    for (const HalfedgeId h : source.halfedges(source.face(entry))) {
-      const HalfedgeId beside = source.twin(h);
-      if (beside.valid() && bench.patchwork.changed_at(source.face(beside)) > since) return true;
+  const auto has_changed = [&](FaceId face) { return bench.patchwork.changed_at(face) > since; };
+  const auto is_near = [&](FaceId face) {
+    for (const HalfedgeId h : source.halfedges(face)) {
+      if (const HalfedgeId beside = source.twin(h); beside.valid() && has_changed(source.face(beside))) return true;
     }
+    return false;
+  };
+  if (since == 0) return faces;
+  std::vector<HalfedgeId> changed;
+  for (const HalfedgeId entry : faces) {
+    if (const FaceId face = source.face(entry); has_changed(face) || is_near(face)) changed.push_back(entry);
   }
-  return false;
+  return changed;
 }
 
 }  // namespace
@@ -31,8 +38,9 @@ std::size_t move_seams(Workbench& bench, SeamsAtRest& rest) {
     std::size_t changed_now = 0;
     rest.resize(faces.size(), 0);
     for (const std::uint32_t region : largest_first(faces)) {
-      if (!has_changed(bench, faces[region], rest[region])) continue;
-      extend_region(bench, faces[region], region);
+      const std::vector<HalfedgeId> from = changed_faces(bench, faces[region], rest[region]);
+      if (from.empty()) continue;
+      extend_region(bench, from, region, 3 * faces[region].size() + 3000);
       const std::size_t changed_here = expand(bench, region);
       if (changed_here == 0) rest[region] = bench.patchwork.changes();
       changed_now += changed_here;

@@ -32,7 +32,9 @@ class Ties {
     };
     const std::vector<HalfedgeId> history = bench_.patchwork.history();
     for (const HalfedgeId entry : history) consider(entry);
-    for (std::uint32_t f = 0; f < source_.face_count(); ++f) consider(source_.first(FaceId(f)));
+    for (std::uint32_t f = 0; f < source_.face_count(); ++f) {
+      if (!bench_.patchwork.is_matched(FaceId(f))) consider(source_.first(FaceId(f)));
+    }
     return changed;
   }
 
