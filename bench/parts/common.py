@@ -1,0 +1,85 @@
+"""What all parts share: running programs, raw figures, tables, bars."""
+import dataclasses
+import json
+import os
+import pathlib
+import platform
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+@dataclasses.dataclass
+class Options:
+    build: pathlib.Path   # the folder of a release build
+    meshes: pathlib.Path  # the collection of real meshes
+    tools: pathlib.Path   # edits, scoring and the independent verifier
+    docs: pathlib.Path    # results.md goes here, raw figures to results/ in it
+    jobs: int             # pairs at a time, where no time is measured
+    quick: bool           # two meshes, one seed: to try a part
+
+    @property
+    def program(self):
+        return self.build / "quadmatch"
+
+    @property
+    def collection(self):
+        return self.meshes.is_dir() and self.tools.is_dir()
+
+
+def run(command, statuses=(0,)):
+    print("  $", " ".join(str(word) for word in command), flush=True)
+    ended = subprocess.run([str(word) for word in command], text=True, capture_output=True, check=False)
+    if ended.returncode not in statuses:
+        raise SystemExit(f"{command[0]} ended with status {ended.returncode}: {ended.stderr.strip()[-400:]}")
+    return ended.stdout
+
+
+def keep(options, name, value):
+    folder = options.docs / "results"
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / name).write_text(json.dumps(value, indent=1) + "\n", encoding="utf-8")
+
+
+def kept(options, name):
+    path = options.docs / "results" / name
+    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else None
+
+
+def conditions(options):
+    with open("/proc/cpuinfo", encoding="utf-8") as file:
+        cpu = next((line.split(":", 1)[1].strip() for line in file if line.startswith("model name")), platform.machine())
+    return {"cpu": cpu, "processors": os.cpu_count(), "system": f"{platform.system()} {platform.release()}",
+            "compiler": run(["g++", "--version"]).splitlines()[0],
+            "version": run([options.program, "--version"]).strip(),
+            "commit": run(["git", "-C", ROOT, "rev-parse", "--short", "HEAD"]).strip()}
+
+
+def table(header, rows):
+    cells = [header, ["---"] + ["---:"] * (len(header) - 1)] + rows
+    return "\n".join("| " + " | ".join(str(cell) for cell in row) + " |" for row in cells) + "\n"
+
+
+@dataclasses.dataclass
+class Bar:
+    """What we ask of a figure: at least `bound`, or at most."""
+    what: str
+    value: float
+    bound: float
+    at_most: bool = False
+
+    @property
+    def missed_by(self):
+        return max(0.0, self.value - self.bound if self.at_most else self.bound - self.value)
+
+    def row(self):
+        return [self.what, f"{'≤' if self.at_most else '≥'} {self.bound:g}", f"{self.value:.4g}",
+                f"**missed by {self.missed_by:.2g}**" if self.missed_by else "met"]
+
+
+def bar_table(bars):
+    return table(["bar", "asked", "measured", ""], [bar.row() for bar in bars]) if bars else ""
+
+
+def command_line(name):
+    return f"`bench/run.py --only {name}`"
