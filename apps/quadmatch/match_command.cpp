@@ -42,6 +42,11 @@ const std::map<std::string, Algorithm> kAlgorithms{
 const std::map<std::string, OrientationChoice> kOrientations{{"auto", OrientationChoice::Auto},
                                                              {"preserving", OrientationChoice::Preserving},
                                                              {"reversing", OrientationChoice::Reversing}};
+const std::map<std::string, bool Stages::*> kStages{
+    {"equal-parts", &Stages::equal_parts}, {"seams", &Stages::seams},           {"ties", &Stages::ties},
+    {"slides", &Stages::slides},           {"slivers", &Stages::slivers},       {"islands", &Stages::islands},
+    {"restarts", &Stages::restarts},       {"acceptance", &Stages::acceptance},
+};
 
 template <class Choice>
 CLI::Validator one_of(const std::map<std::string, Choice>& choices) {
@@ -57,6 +62,7 @@ struct MatchArguments {
   bool arc_lengths = false;
   std::uint32_t rounds = AnchorOptions{}.rounds;
   bool no_positions = false;
+  std::vector<std::string> without;
   double least_confidence = MatchOptions{}.least_confidence;
   std::uint32_t least_region = MatchOptions{}.least_region;
   std::uint32_t threads = 0;
@@ -72,6 +78,7 @@ MatchOptions options_of(const MatchArguments& arguments, Progress& progress) {
   options.anchor_search.rounds = arguments.rounds;
   options.anchor_search.colouring.arc_lengths = arguments.arc_lengths;
   options.positions = !arguments.no_positions;
+  for (const std::string& stage : arguments.without) options.stages.*kStages.at(stage) = false;
   options.least_confidence = arguments.least_confidence;
   options.least_region = arguments.least_region;
   options.waves = arguments.waves;
@@ -92,6 +99,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(const MatchArgument
                                                             {"rounds", std::to_string(arguments.rounds)},
                                                             {"arc_lengths", arguments.arc_lengths ? "true" : "false"},
                                                             {"positions", arguments.no_positions ? "false" : "true"}};
+  if (!arguments.without.empty()) settings.emplace_back("without", joined(arguments.without, " "));
   if (!arguments.anchors.empty()) settings.emplace_back("anchors", joined(arguments.anchors, " "));
   return settings;
 }
@@ -247,6 +255,14 @@ void add_match_command(CLI::App& program, Action& chosen) {
   verb->add_flag("--arc-lengths", arguments->arc_lengths,
                  "The paper's algorithms: colour by the lengths of skeleton arcs too");
   verb->add_flag("--no-positions", arguments->no_positions, "Connectivity alone: never look at where vertices are");
+  verb->add_option(
+          "--without", arguments->without,
+          "For experiments: leave out stages of regions, of equal-parts, seams, ties, slides, slivers, islands, "
+          "restarts, acceptance")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(one_of(kStages))
+      ->type_name("STAGE,...");
   verb->add_flag("--waves", arguments->waves, "Keep the order of growth, wave by wave, in the match file");
   verb->add_flag("--json", arguments->json, "Print the figures as JSON");
   verb->add_flag("--quiet", arguments->quiet, "Print neither summary nor warnings");

@@ -145,6 +145,30 @@ TEST_CASE("the match file names both meshes and the settings") {
   CHECK(file->match.regions[0].waves.back() == 45);
 }
 
+TEST_CASE("--without leaves out stages, remembers them, and refuses what is none") {
+  const Folder folder;
+  folder.write("a.obj", shapes::fig_4_1().soup);
+  folder.write("b.obj", shapes::fig_4_2().soup);
+  const auto figures_of = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"match", "a.obj", "b.obj", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return Json::parse(folder.run(arguments).out);
+  };
+  const Json all = figures_of({});
+  CHECK(all.at("matched_faces") == 162);
+  CHECK_FALSE(all.at("settings").contains("without"));
+  // What the squeezed quads cut off is matched as a sliver, or not at all.
+  const Json figures = figures_of({"--without", "slides,slivers"});
+  CHECK(figures.at("matched_faces") == 157);
+  CHECK(figures.at("settings").at("without") == "slides slivers");
+  CHECK(figures_of({"--without", "slides", "--without", "slivers"}).at("regions") == figures.at("regions"));
+
+  const Outcome refused = folder.run({"match", "a.obj", "b.obj", "--without", "seams,ears"});
+  CHECK(refused.status == 2);
+  CHECK(contains(refused.err, "ears"));
+  CHECK(line_count(refused.err) == 1);
+}
+
 TEST_CASE("--orientation reversing matches a mirror image") {
   const Folder folder;
   const PolygonSoup soup = shapes::fig_4_1().soup;
