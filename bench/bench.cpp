@@ -1,9 +1,10 @@
 // What reading and matching cost, from small meshes to millions of quads, beside peers in the same run: tinyobjloader
-// for reading, bliss for telling that two meshes are the same. usage: quadmatch_bench MESH.obj STEPS SCRATCH.obj
+// for reading, bliss for telling that two meshes are the same. usage: quadmatch_bench MESH.obj STEPS SCRATCH_FOLDER
 // [--benchmark_...]
 //
-// MESH is refined by Catmull-Clark 0 ... STEPS times. At every step the mesh is matched with a copy whose vertices,
-// faces and first corners are in random order. The finest is also written to SCRATCH and read by both readers.
+// MESH is refined by Catmull-Clark 0 ... STEPS times. At every step the mesh is matched with a copy in the same order,
+// and with one whose vertices, faces and first corners are in random order. The finest two are also written to
+// SCRATCH_FOLDER and read by both readers.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,9 +27,11 @@ namespace {
 
 using namespace quadmatch;
 
-struct Pair {
+struct Subject {
   Mesh source;
-  Mesh target;
+  Mesh copy;  ///< in file order: another mesh in memory, as after reading two files
+  Mesh renumbered;
+  std::string path;  ///< where it was written, if it was
 };
 
 [[noreturn]] void give_up(const std::string& why) {
@@ -51,28 +55,27 @@ PolygonSoup soup_of(const Mesh& mesh) {
   return soup;
 }
 
-void report(benchmark::State& state, const Pair& pair, std::size_t matched) {
-  state.counters["quads"] = pair.source.face_count();
+void report(benchmark::State& state, const Mesh& mesh, std::size_t matched) {
+  state.counters["quads"] = mesh.face_count();
   state.counters["matched"] = static_cast<double>(matched);
 }
 
 /// Codes, skeletons and anchors of both meshes.
-void find_anchors_of(benchmark::State& state, const Pair& pair) {
+void find_anchors_of(benchmark::State& state, const Mesh& source, const Mesh& target) {
   for (auto _ : state) {
-    const PerFan<VertexCode> source_codes = vertex_codes(pair.source);
-    const PerFan<VertexCode> target_codes = vertex_codes(pair.target);
-    benchmark::DoNotOptimize(find_anchors(pair.source, trace_skeleton(pair.source, source_codes).skeleton, source_codes,
-                                          pair.target, trace_skeleton(pair.target, target_codes).skeleton,
-                                          target_codes));
+    const PerFan<VertexCode> source_codes = vertex_codes(source);
+    const PerFan<VertexCode> target_codes = vertex_codes(target);
+    benchmark::DoNotOptimize(find_anchors(source, trace_skeleton(source, source_codes).skeleton, source_codes, target,
+                                          trace_skeleton(target, target_codes).skeleton, target_codes));
   }
-  report(state, pair, 0);
+  report(state, source, 0);
 }
 
 /// Everything from two meshes to the match: anchors and growth.
-void match_pair(benchmark::State& state, const Pair& pair, Algorithm algorithm) {
+void match_meshes(benchmark::State& state, const Mesh& source, const Mesh& target, Algorithm algorithm) {
   std::size_t matched = 0;
-  for (auto _ : state) matched = match(pair.source, pair.target, {.algorithm = algorithm}).match.matched_faces();
-  report(state, pair, matched);
+  for (auto _ : state) matched = match(source, target, {.algorithm = algorithm}).match.matched_faces();
+  report(state, source, matched);
 }
 
 /// Vertices and edges, coloured by vertex code as our engine sees them.
@@ -88,17 +91,17 @@ bliss::Graph graph_of(const Mesh& mesh) {
 }
 
 /// Are both graphs the same? By the canonical forms of both, as bliss answers it.
-void compare_with_bliss(benchmark::State& state, const Pair& pair) {
+void compare_with_bliss(benchmark::State& state, const Mesh& source, const Mesh& target) {
   bool same = true;
   for (auto _ : state) {
-    bliss::Graph left = graph_of(pair.source), right = graph_of(pair.target);
+    bliss::Graph left = graph_of(source), right = graph_of(target);
     bliss::Stats stats;
     const std::unique_ptr<bliss::Graph> one(left.permute(left.canonical_form(stats, nullptr, nullptr)));
     const std::unique_ptr<bliss::Graph> other(right.permute(right.canonical_form(stats, nullptr, nullptr)));
     same = same && one->cmp(*other) == 0;
   }
   if (!same) give_up("bliss says that a renumbered mesh is another");
-  report(state, pair, pair.source.face_count());
+  report(state, source, source.face_count());
 }
 
 void build_mesh(benchmark::State& state, const Mesh& mesh) {
@@ -129,42 +132,63 @@ void read_with_tinyobjloader(benchmark::State& state, const std::string& path) {
   }
 }
 
+void register_benchmark(const char* what, const Mesh& mesh, std::function<void(benchmark::State&)> run) {
+  benchmark::RegisterBenchmark(fmt::format("{}/{}", what, mesh.face_count()).c_str(), std::move(run))
+      ->Unit(benchmark::kMillisecond);
+}
+
+void register_matching(const Subject& subject) {
+  const Mesh &source = subject.source, &copy = subject.copy, &renumbered = subject.renumbered;
+  const auto add = [&](const char* what, const Mesh& target, Algorithm algorithm) {
+    register_benchmark(what, source, [&source, &target, algorithm](benchmark::State& state) {
+      match_meshes(state, source, target, algorithm);
+    });
+  };
+  register_benchmark("build", source, [&](benchmark::State& state) { build_mesh(state, renumbered); });
+  register_benchmark("anchors", source, [&](benchmark::State& state) { find_anchors_of(state, source, renumbered); });
+  add("regions", renumbered, Algorithm::Regions);
+  add("regions-in-file-order", copy, Algorithm::Regions);
+  add("lazy-greedy", renumbered, Algorithm::LazyGreedy);
+  add("lazy-greedy-in-file-order", copy, Algorithm::LazyGreedy);
+  add("greedy", renumbered, Algorithm::Greedy);
+}
+
+void register_reading(Subject& subject, std::string path) {
+  MeshFile file{.mesh = subject.source};
+  if (const Expected<void> written = write_mesh(path, file); !written) give_up(written.error().describe());
+  subject.path = std::move(path);
+  register_benchmark("build-in-file-order", subject.source,
+                     [&](benchmark::State& state) { build_mesh(state, subject.copy); });
+  register_benchmark("read-quadmatch", subject.source,
+                     [&](benchmark::State& state) { read_with_quadmatch(state, subject.path); });
+  register_benchmark("read-tinyobjloader", subject.source,
+                     [&](benchmark::State& state) { read_with_tinyobjloader(state, subject.path); });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
-  if (argc != 4) give_up("usage: quadmatch_bench MESH.obj STEPS SCRATCH.obj [--benchmark_...]");
-  const std::string scratch = argv[3];
+  if (argc != 4) give_up("usage: quadmatch_bench MESH.obj STEPS SCRATCH_FOLDER [--benchmark_...]");
+  const int steps = std::atoi(argv[2]);
   PolygonSoup soup = soup_of(take(read_mesh(argv[1])).mesh);
-  std::deque<Pair> pairs;  // registered benchmarks keep references
-  for (int step = 0; step <= std::atoi(argv[2]); ++step) {
+  std::deque<Subject> subjects;  // registered benchmarks keep references
+  for (int step = 0; step <= steps; ++step) {
     if (step > 0) soup = shapes::catmull_clark(soup);
-    Mesh target = take(Mesh::build(shapes::renumbered(soup, 1).soup));
-    const Pair& pair = pairs.emplace_back(Pair{take(Mesh::build(soup)), std::move(target)});
-    const auto name = [&](const char* what) { return fmt::format("{}/{}", what, pair.source.face_count()); };
-    const auto add = [&](const char* what, auto run) {
-      benchmark::RegisterBenchmark(name(what).c_str(), run)->Unit(benchmark::kMillisecond);
-    };
-    add("build", [&pair](benchmark::State& state) { build_mesh(state, pair.target); });
-    add("anchors", [&pair](benchmark::State& state) { find_anchors_of(state, pair); });
-    add("regions", [&pair](benchmark::State& state) { match_pair(state, pair, Algorithm::Regions); });
-    if (step == 0) add("bliss", [&pair](benchmark::State& state) { compare_with_bliss(state, pair); });
-    add("lazy-greedy", [&pair](benchmark::State& state) { match_pair(state, pair, Algorithm::LazyGreedy); });
-    add("greedy", [&pair](benchmark::State& state) { match_pair(state, pair, Algorithm::Greedy); });
+    Mesh renumbered = take(Mesh::build(shapes::renumbered(soup, 1).soup));
+    Subject& subject =
+        subjects.emplace_back(Subject{take(Mesh::build(soup)), take(Mesh::build(soup)), std::move(renumbered), {}});
+    register_matching(subject);
+    if (step == 0) {
+      register_benchmark("bliss", subject.source, [&subject](benchmark::State& state) {
+        compare_with_bliss(state, subject.source, subject.renumbered);
+      });
+    }
+    if (step >= steps - 1) register_reading(subject, fmt::format("{}/{}.obj", argv[3], step));
   }
-  MeshFile file{.mesh = take(Mesh::build(std::move(soup)))};
-  if (const Expected<void> written = write_mesh(scratch, file); !written) give_up(written.error().describe());
-  const auto read = [&](const char* what, void (*run)(benchmark::State&, const std::string&)) {
-    benchmark::RegisterBenchmark(fmt::format("{}/{}", what, file.mesh.face_count()).c_str(),
-                                 [&, run](benchmark::State& state) { run(state, scratch); })
-        ->Unit(benchmark::kMillisecond);
-  };
-  benchmark::RegisterBenchmark(fmt::format("build-in-file-order/{}", file.mesh.face_count()).c_str(),
-                               [&](benchmark::State& state) { build_mesh(state, file.mesh); })
-      ->Unit(benchmark::kMillisecond);
-  read("read-quadmatch", read_with_quadmatch);
-  read("read-tinyobjloader", read_with_tinyobjloader);
   benchmark::RunSpecifiedBenchmarks();
-  std::remove(scratch.c_str());
+  for (const Subject& subject : subjects) {
+    if (!subject.path.empty()) std::remove(subject.path.c_str());
+  }
   return 0;
 }
