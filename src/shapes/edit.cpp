@@ -8,46 +8,13 @@
 
 #include <quadmatch/mesh/mesh.hpp>
 
+#include "edit_support.hpp"
 #include "geometry.hpp"
 #include "redraft.hpp"
 #include "soup_faces.hpp"
 
 namespace quadmatch::shapes {
 namespace {
-
-Unexpected<Error> does_not_fit(std::string message) {
-  return Unexpected(Error{ErrorCode::BadArgument, std::move(message)});
-}
-
-/// The first `count` faces that a fire from `centre` reaches across edges, as flags.
-std::vector<bool> patch_around(const Mesh& mesh, FaceId centre, std::uint32_t count) {
-  std::vector<bool> members(mesh.face_count(), false);
-  std::vector<FaceId> queue = {centre};
-  members[centre.value] = true;
-  for (std::size_t burning = 0; burning < queue.size(); ++burning) {
-    for (const HalfedgeId h : mesh.halfedges(queue[burning])) {
-      const HalfedgeId beyond = mesh.twin(h);
-      if (!beyond.valid() || queue.size() >= count || members[mesh.face(beyond).value]) continue;
-      members[mesh.face(beyond).value] = true;
-      queue.push_back(mesh.face(beyond));
-    }
-  }
-  return members;
-}
-
-Expected<Mesh> build_with_face(const PolygonSoup& soup, FaceId face) {
-  Expected<Mesh> mesh = Mesh::build(soup);
-  if (mesh && face.value >= mesh->face_count()) return does_not_fit("there is no face " + to_string(face));
-  return mesh;
-}
-
-Expected<Mesh> build_with_halfedge(const PolygonSoup& soup, HalfedgeId halfedge) {
-  Expected<Mesh> mesh = Mesh::build(soup);
-  if (mesh && halfedge.value >= mesh->halfedge_count()) {
-    return does_not_fit("there is no half-edge " + to_string(halfedge));
-  }
-  return mesh;
-}
 
 /// The mean normal of the patch (Newell's formula), of unit length; zero where the soup is flat or has no positions.
 Point mean_normal(const PolygonSoup& soup, const std::vector<bool>& members) {
@@ -75,50 +42,6 @@ std::vector<HalfedgeId> rim_of(const Mesh& mesh, const std::vector<bool>& member
   return rim;
 }
 
-/// A poly-chord: the half-edges by which it enters its quads, in order.
-struct Chord {
-  std::vector<HalfedgeId> entries;
-  bool closed = false;
-};
-
-/// Where the chord goes on behind the quad it entered by `entry`; not valid at the boundary.
-/// @pre the face is a quad.
-HalfedgeId entry_beyond(const Mesh& mesh, HalfedgeId entry) { return mesh.twin(mesh.next(mesh.next(entry))); }
-
-/// Follow the chord from an entry to the boundary, or once round. A sentence where it cannot be followed.
-std::optional<std::string> follow(const Mesh& mesh, HalfedgeId start, std::vector<bool>& crossed, Chord& chord) {
-  for (HalfedgeId entry = start; entry.valid(); entry = entry_beyond(mesh, entry)) {
-    const FaceId face = mesh.face(entry);
-    if (mesh.size(face) != 4) return "the loop runs into " + to_string(face) + ", which is not a quad";
-    if (crossed[face.value]) {
-      chord.closed = entry == start;
-      if (chord.closed) return std::nullopt;
-      return "the loop would cross " + to_string(face) + " twice";
-    }
-    crossed[face.value] = true;
-    chord.entries.push_back(entry);
-  }
-  return std::nullopt;
-}
-
-/// Turn a chord round: it enters each quad by the other side.
-void reverse(const Mesh& mesh, Chord& chord) {
-  std::reverse(chord.entries.begin(), chord.entries.end());
-  for (HalfedgeId& entry : chord.entries) entry = mesh.next(mesh.next(entry));
-}
-
-Expected<Chord> chord_across(const Mesh& mesh, HalfedgeId edge) {
-  Chord chord;
-  std::vector<bool> crossed(mesh.face_count(), false);
-  std::optional<std::string> obstacle = follow(mesh, edge, crossed, chord);
-  if (!obstacle && !chord.closed) {
-    reverse(mesh, chord);
-    obstacle = follow(mesh, mesh.twin(edge), crossed, chord);
-  }
-  if (obstacle) return does_not_fit(*obstacle);
-  return chord;
-}
-
 /// The vertices that an edge joins to the origin of a half-edge, around its fan. @pre an inner fan.
 std::set<VertexId> neighbours(const Mesh& mesh, HalfedgeId from) {
   std::set<VertexId> found;
@@ -143,10 +66,7 @@ std::optional<std::string> obstacle_to_collapse(const Mesh& mesh, HalfedgeId cor
   const FaceId face = mesh.face(corner);
   if (mesh.size(face) != 4) return to_string(face) + " is not a quad";
   for (const HalfedgeId h : mesh.halfedges(face)) {
-    const auto split = mesh.split_vertices();
-    if (mesh.is_boundary(mesh.fan(h)) || std::binary_search(split.begin(), split.end(), mesh.origin(h))) {
-      return to_string(mesh.origin(h)) + " is not inside the surface";
-    }
+    if (!is_inside(mesh, h)) return to_string(mesh.origin(h)) + " is not inside the surface";
   }
   const HalfedgeId side = mesh.next(corner), opposite = mesh.next(side), other_side = mesh.next(opposite);
   for (const HalfedgeId h : {side, other_side}) {
@@ -208,32 +128,6 @@ Expected<Edit> extrude_patch(const PolygonSoup& soup, FaceId centre, std::uint32
   return draft.finish();
 }
 
-Expected<Edit> insert_edge_loop(const PolygonSoup& soup, HalfedgeId crossed) {
-  const Expected<Mesh> mesh = build_with_halfedge(soup, crossed);
-  if (!mesh) return Unexpected(mesh.error());
-  const Expected<Chord> chord = chord_across(*mesh, crossed);
-  if (!chord) return Unexpected(chord.error());
-
-  Redraft draft(soup);
-  std::vector<bool> is_split(mesh->face_count(), false);
-  for (const HalfedgeId entry : chord->entries) is_split[mesh->face(entry).value] = true;
-  for (std::uint32_t f = 0; f < mesh->face_count(); ++f) {
-    if (!is_split[f]) draft.keep(FaceId(f));
-  }
-  const auto middle_of = [&](HalfedgeId h) { return draft.add_vertex({mesh->origin(h), mesh->tip(h)}); };
-  const VertexId first = middle_of(chord->entries.front());
-  VertexId near = first;
-  for (const HalfedgeId entry : chord->entries) {
-    const HalfedgeId exit = mesh->next(mesh->next(entry));
-    const bool comes_round = chord->closed && entry == chord->entries.back();
-    const VertexId far = comes_round ? first : middle_of(exit);
-    draft.add({mesh->origin(entry), near, far, mesh->tip(exit)});
-    draft.add({near, mesh->tip(entry), mesh->origin(exit), far});
-    near = far;
-  }
-  return draft.finish();
-}
-
 Expected<Edit> collapse_quad(const PolygonSoup& soup, HalfedgeId corner) {
   const Expected<Mesh> mesh = build_with_halfedge(soup, corner);
   if (!mesh) return Unexpected(mesh.error());
@@ -241,9 +135,7 @@ Expected<Edit> collapse_quad(const PolygonSoup& soup, HalfedgeId corner) {
 
   Redraft draft(soup);
   const VertexId kept = mesh->origin(corner), merged = mesh->origin(mesh->next(mesh->next(corner)));
-  if (!soup.positions.empty()) {
-    draft.move_vertex(kept, 0.5 * (soup.positions[merged.value] - soup.positions[kept.value]));
-  }
+  draft.move_halfway(kept, merged);
   for (std::uint32_t f = 0; f < mesh->face_count(); ++f) {
     if (FaceId(f) == mesh->face(corner)) continue;
     const auto corners = corners_of(soup, f);

@@ -28,6 +28,11 @@ void Redraft::move_vertex(VertexId vertex, const Point& by) {
   point = point + by;
 }
 
+void Redraft::move_halfway(VertexId vertex, VertexId towards) {
+  if (draft_.positions.empty()) return;
+  move_vertex(vertex, 0.5 * (draft_.positions[towards.value] - draft_.positions[vertex.value]));
+}
+
 void Redraft::keep(FaceId face) { keep(face, corners_of(source_, face.value)); }
 
 void Redraft::keep(FaceId face, std::span<const VertexId> corners) {

@@ -37,15 +37,39 @@ std::string read_file(const fs::path& path) {
 }
 
 /// In the child: become the program, with its three streams in `streams`. Only what is safe after fork.
-[[noreturn]] void become_program(const char* folder, const fs::path& streams, std::vector<char*>& arguments) {
+[[noreturn]] void become_program(const char* program, const char* folder, const fs::path& streams,
+                                 std::vector<char*>& arguments) {
   const std::string input = (streams / "in").string();
   const std::string output = (streams / "out").string();
   const std::string errors = (streams / "err").string();
   ::dup2(::open(input.c_str(), O_RDONLY), STDIN_FILENO);
   ::dup2(::open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
   ::dup2(::open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
-  if (::chdir(folder) == 0) ::execv(QUADMATCH_PROGRAM, arguments.data());
+  if (::chdir(folder) == 0) ::execv(program, arguments.data());
   std::_Exit(127);
+}
+
+Outcome run_program(const char* program, const fs::path& folder, const std::vector<std::string>& arguments,
+                    std::string_view input) {
+  const fs::path streams = fresh_folder();
+  write_file(streams / "in", input);
+  std::vector<std::string> words{fs::path(program).filename()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+
+  const ::pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) become_program(program, folder.c_str(), streams, pointers);
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  Outcome outcome;
+  outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  outcome.out = read_file(streams / "out");
+  outcome.err = read_file(streams / "err");
+  fs::remove_all(streams);
+  return outcome;
 }
 
 }  // namespace
@@ -76,25 +100,11 @@ std::vector<std::string> Folder::names() const {
 }
 
 Outcome Folder::run(const std::vector<std::string>& arguments, std::string_view input) const {
-  const fs::path streams = fresh_folder();
-  write_file(streams / "in", input);
-  std::vector<std::string> words{"quadmatch"};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
+  return run_program(QUADMATCH_PROGRAM, folder_, arguments, input);
+}
 
-  const ::pid_t child = ::fork();
-  REQUIRE(child >= 0);
-  if (child == 0) become_program(folder_.c_str(), streams, pointers);
-  int status = 0;
-  REQUIRE(::waitpid(child, &status, 0) == child);
-  Outcome outcome;
-  outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  outcome.out = read_file(streams / "out");
-  outcome.err = read_file(streams / "err");
-  fs::remove_all(streams);
-  return outcome;
+Outcome Folder::edit_mesh(const std::vector<std::string>& arguments) const {
+  return run_program(QUADMATCH_EDIT_MESH, folder_, arguments, {});
 }
 
 std::string obj_of(const PolygonSoup& soup) {

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -164,6 +165,109 @@ TEST_CASE("collapse_quad: one quad becomes two edges, two vertices one") {
   CHECK(VertexRelation::several(relation.origins) == 1);
 }
 
+TEST_CASE("remove_edge_loop: a row of quads less, and what was beside it is joined") {
+  SUBCASE("from border to border") {
+    const PolygonSoup soup = shapes::grid(6, 4);
+    const auto edit = shapes::remove_edge_loop(soup, HalfedgeId(4 * grid_face(6, 2, 1).value));
+    REQUIRE(edit);
+    CHECK(topology_of(edit->soup).faces == 20);
+    CHECK(topology_of(edit->soup).vertices == 35 - 5);
+    CHECK(topology_of(edit->soup).extraordinary == 4);
+    CHECK(topology_of(edit->soup).clean());
+    CHECK(edit->truth.size() == 20);
+    const VertexRelation relation(soup, edit->soup, edit->truth);
+    CHECK(VertexRelation::several(relation.images) == 0);
+    CHECK(VertexRelation::several(relation.origins) == 5);
+    CHECK(edit->soup.positions[2] == Point{2.5, 0, 0});  // midway
+  }
+  SUBCASE("all the way round") {
+    const PolygonSoup soup = shapes::torus(7, 5);
+    const auto edit = shapes::remove_edge_loop(soup, HalfedgeId(1));
+    REQUIRE(edit);
+    CHECK(topology_of(edit->soup).faces == 28);
+    CHECK(topology_of(edit->soup).genus() == 1);
+    CHECK(topology_of(edit->soup).extraordinary == 0);
+    CHECK(edit->truth.size() == 28);
+  }
+  SUBCASE("what an inserted loop added is gone again") {
+    const PolygonSoup soup = shapes::sphere(4);
+    const auto more = shapes::insert_edge_loop(soup, HalfedgeId(17));
+    REQUIRE(more);
+    const auto less = shapes::remove_edge_loop(more->soup, HalfedgeId(4 * (topology_of(more->soup).faces - 1)));
+    REQUIRE(less);
+    CHECK(topology_of(less->soup).faces == topology_of(soup).faces);
+    CHECK(topology_of(less->soup).inner_valences == topology_of(soup).inner_valences);
+  }
+}
+
+TEST_CASE("twist_ring: the ring is new, every other face is where it was, and corners meet others") {
+  const PolygonSoup soup = shapes::cylinder(8, 5);
+  const auto edit = shapes::twist_ring(soup, HalfedgeId(4 * 19 + 1), 3);
+  REQUIRE(edit);
+  const Topology topology = topology_of(edit->soup);
+  CHECK(topology.faces == 40);
+  CHECK(topology.vertices == topology_of(soup).vertices);
+  CHECK(topology.boundary_loops == 2);
+  CHECK(topology.extraordinary == 0);
+  CHECK(topology.clean());
+  CHECK(faces_meet_properly(edit->soup));
+  CHECK(edit->truth.size() == 32);
+  CHECK(VertexRelation(soup, edit->soup, edit->truth).one_to_one());
+  CHECK(edit->soup.corners != soup.corners);
+  std::vector<Face> before = faces_of(soup), after = faces_of(edit->soup);
+  for (std::vector<Face>* faces : {&before, &after}) {
+    for (Face& face : *faces) std::sort(face.begin(), face.end());
+    std::sort(faces->begin(), faces->end());
+  }
+  std::vector<Face> common;
+  std::set_intersection(before.begin(), before.end(), after.begin(), after.end(), std::back_inserter(common));
+  CHECK(common.size() == 32);  // none of the ring's quads joins what it joined
+}
+
+TEST_CASE("rip_edges: a hole without a face lost, and copies of the vertices inside the slit") {
+  const PolygonSoup soup = shapes::grid(9, 9);
+  const auto edit = shapes::rip_edges(soup, HalfedgeId(4 * grid_face(9, 2, 4).value), 4);
+  REQUIRE(edit);
+  const Topology topology = topology_of(edit->soup);
+  CHECK(topology.faces == 81);
+  CHECK(topology.vertices == 100 + 3);
+  CHECK(topology.boundary_loops == 2);
+  CHECK(topology.genus() == 0);
+  CHECK(topology.clean());
+  CHECK(edit->truth.size() == 81);
+  const VertexRelation relation(soup, edit->soup, edit->truth);
+  CHECK(VertexRelation::several(relation.images) == 3);
+  CHECK(VertexRelation::several(relation.origins) == 0);
+}
+
+TEST_CASE("refine_patch: four for one, and larger neighbours") {
+  const PolygonSoup soup = shapes::grid(9, 9);
+  const auto edit = shapes::refine_patch(soup, grid_face(9, 4, 4), 5);
+  REQUIRE(edit);
+  const Topology topology = topology_of(edit->soup);
+  CHECK(topology.faces == 81 - 5 + 20);
+  CHECK(topology.boundary_loops == 1);
+  CHECK(topology.genus() == 0);
+  CHECK(topology.clean());
+  CHECK(edit->truth.size() == 81 - 5 - 8);
+  CHECK(VertexRelation(soup, edit->soup, edit->truth).one_to_one());
+  const std::vector<Face> faces = faces_of(edit->soup);
+  CHECK(std::count_if(faces.begin(), faces.end(), [](const Face& face) { return face.size() == 5; }) == 4);
+  CHECK(std::count_if(faces.begin(), faces.end(), [](const Face& face) { return face.size() == 6; }) == 4);
+}
+
+TEST_CASE("add_handle: two quads less, a tube of four more, and one more genus") {
+  const PolygonSoup soup = shapes::sphere(4);
+  const auto edit = shapes::add_handle(soup, FaceId(3), FaceId(77));
+  REQUIRE(edit);
+  CHECK(topology_of(edit->soup).faces == 98);
+  CHECK(topology_of(edit->soup).genus() == 1);
+  CHECK(topology_of(edit->soup).clean());
+  CHECK(faces_meet_properly(edit->soup));
+  CHECK(edit->truth.size() == 94);
+  CHECK(VertexRelation(soup, edit->soup, edit->truth).one_to_one());
+}
+
 TEST_CASE("Edits that do not fit are refused with a sentence, and so are elements that do not exist") {
   const PolygonSoup cube = shapes::cube(), grid = shapes::grid(4, 4), prism = shapes::prism(6);
   CHECK(refusal(shapes::delete_patch(cube, FaceId(0), 6)) == "no face would be left");
@@ -179,6 +283,18 @@ TEST_CASE("Edits that do not fit are refused with a sentence, and so are element
   const auto crowded = shapes::collapse_quad(shapes::torus(3, 3), HalfedgeId(0));
   REQUIRE(crowded);
   CHECK(refusal(shapes::collapse_quad(crowded->soup, HalfedgeId(12))) == "v0 and v7 meet elsewhere too");
+  CHECK(refusal(shapes::remove_edge_loop(shapes::grid(1, 4), HalfedgeId(1))) == "");
+  CHECK(refusal(shapes::remove_edge_loop(shapes::grid(4, 1), HalfedgeId(1))) == "no face would be left");
+  CHECK(refusal(shapes::remove_edge_loop(cube, HalfedgeId(0))) ==
+        "the result would not be well-formed: duplicate-face");
+  CHECK(refusal(shapes::twist_ring(grid, HalfedgeId(0), 1)) == "the row of quads is no ring");
+  CHECK(refusal(shapes::twist_ring(cube, HalfedgeId(0), 1)) == "a ring of 4 quads cannot be turned without folding");
+  CHECK(refusal(shapes::rip_edges(grid, HalfedgeId(0), 2)) == "v0 is not inside the surface");
+  CHECK(refusal(shapes::rip_edges(cube, HalfedgeId(0), 1)) == "a slit of one edge opens nothing");
+  CHECK(refusal(shapes::rip_edges(cube, HalfedgeId(0), 9)).find("the slit meets v") == 0);
+  CHECK(refusal(shapes::refine_patch(prism, FaceId(0), 1)) == "f0 is not a quad");
+  CHECK(refusal(shapes::add_handle(grid, FaceId(0), FaceId(1))) == "f0 and f1 share a vertex");
+  CHECK(refusal(shapes::add_handle(grid, FaceId(0), FaceId(16))) == "there is no face f16");
   CHECK(shapes::delete_patch(cube, FaceId(6), 1).error().code == ErrorCode::BadArgument);
 
   PolygonSoup broken = cube;

@@ -38,6 +38,35 @@ struct Edit {
 /// @par Errors     BadArgument also where the chord meets a face other than a quad, or itself.
 [[nodiscard]] Expected<Edit> insert_edge_loop(const PolygonSoup& soup, HalfedgeId crossed);
 
+/// Remove a row of quads: what lies on both sides of the poly-chord that crosses an edge grows together, midway.
+/// The quads of the row do not survive.
+/// @param crossed  a half-edge along the edge.
+/// @par Errors     BadArgument also where the chord meets a face other than a quad, or itself, or where the result
+/// would
+///                 not be as well-formed as the mesh was (see `check`).
+[[nodiscard]] Expected<Edit> remove_edge_loop(const PolygonSoup& soup, HalfedgeId crossed);
+
+/// Turn what lies beyond a ring of quads by `shift` quads against the rest, and join it again. The quads of the ring do
+/// not survive; no vertex moves.
+/// @param crossed  a half-edge along an edge that the ring crosses.
+/// @par Errors     BadArgument also where the row is no ring, has fewer than five quads, or meets a vertex twice.
+[[nodiscard]] Expected<Edit> twist_ring(const PolygonSoup& soup, HalfedgeId crossed, std::uint32_t shift);
+
+/// Open a slit along `length` edges, straight on from a half-edge. All faces survive; the inner vertices of the slit
+/// get copies, in the same place, for the faces on its left.
+/// @param length  2 or more: a slit of one edge opens nothing.
+/// @par Errors    BadArgument also where the slit leaves the inside of the surface or meets itself.
+[[nodiscard]] Expected<Edit> rip_edges(const PolygonSoup& soup, HalfedgeId start, std::uint32_t length);
+
+/// Split every quad of a patch of `count` faces, nearest first, in four. Faces beside the patch get the new vertices as
+/// corners; neither they nor the split quads survive.
+/// @par Errors  BadArgument also where the centre is not a quad.
+[[nodiscard]] Expected<Edit> refine_patch(const PolygonSoup& soup, FaceId centre, std::uint32_t count);
+
+/// Replace two quads by a tube of four between them. The two do not survive.
+/// @par Errors  BadArgument also where one is not a quad, or both share a vertex.
+[[nodiscard]] Expected<Edit> add_handle(const PolygonSoup& soup, FaceId one, FaceId other);
+
 /// Collapse a quad along a diagonal: the corner that a half-edge leaves from and the opposite one become one vertex
 /// midway, and the quad two edges.
 /// @par Errors  BadArgument also where the face is not a quad inside the surface, or the result would not be simple:
