@@ -36,15 +36,17 @@ def draw_speed(options):
             if what in subject.measured():
                 panel.plot(subject.sizes, [subject.per_quad(what, size) for size in subject.sizes], style, color=colour,
                            marker=".", label=label)
-        panel.set(title=name, xlabel="quads", xscale="log", ylim=(0, None))
+        panel.set(title=name, xlabel="quads", xscale="log")
     panels[0][0].set_ylabel("nanoseconds per quad")
-    panels[0][0].legend(frameon=False)
+    panels[0][0].set_ylim(bottom=0)  # of all, once all have their lines
+    handles, labels = panels[0][0].get_legend_handles_labels()
+    figure.legend(handles, labels, frameon=False, ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1))
     save(options, figure, "speed.svg")
 
 
 def draw_recall(options):
-    """Mean recall for each edit: a row of dots for each algorithm and condition."""
-    runs = {name: rows for name, rows in quality.rows_kept(options).items()}
+    """Mean recall for each edit: a bar for each algorithm and condition."""
+    runs = dict(quality.rows_kept(options))
     runs |= {f"regions, {name}": rows for name, rows in regions.runs_kept(options).items()}
     if not runs:
         return

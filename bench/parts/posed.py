@@ -4,7 +4,7 @@ import pathlib
 import random
 import tempfile
 
-from parts.common import Bar, bar_table, command_line, keep, kept, table
+from parts.common import Bar, command_line, keep, kept, table
 from parts.subjects import in_parallel, match, pair_folders, tool
 
 POSES = ["turn", "bend:60"]

@@ -38,6 +38,8 @@ def page(options):
             "Eight real meshes, each edit with seeds 1 and 2, true correspondence known, connectivity only. *Recall*: "
             "surviving faces matched to the true face by the true rotation. *Prototype* is the paper's lazy-greedy as an "
             "earlier prototype had it, the bar for ours.\n"]
+    if (options.docs / "results" / "recall.svg").exists():
+        page.append("![Mean recall for each edit, by algorithm and condition](results/recall.svg)\n")
     means = {name: {edit: mean(rows, edit) for edit in PROTOTYPE_RECALL} for name, rows in by_algorithm.items()}
     lazy = by_algorithm["lazy-greedy"]
     rows = [[edit, f"{PROTOTYPE_RECALL[edit]:.3f}", f"{means['greedy'][edit]:.3f}", f"{means['lazy-greedy'][edit]:.3f}"] +
