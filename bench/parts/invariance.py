@@ -4,11 +4,12 @@ import pathlib
 import tempfile
 
 from parts.common import Bar, bar_table, command_line, keep, kept, table
-from parts.subjects import edited_copy, edits_named, in_parallel, match, name_of, pair_folders, quality_meshes, renumbered, tool
+from parts.subjects import edited_copy, edits_named, in_parallel, match, name_of, pair_folders, posed, quality_meshes, renumbered, tool
 
 EDITS = ["renumber", "delete", "light", "loops", "heavy"]
 SEEDS = [1, 2, 3]
 POSES = ["bend:60", "turn", "scramble"]
+WAYS = [(), ("--no-positions",)]
 LEAST_SAME = 0.999
 
 
@@ -61,45 +62,44 @@ def measure_pair(options, source, target, more):
             "swapped": compared(found, swapped_back(back, sizes))}
 
 
-def measure_edited(job):
-    options, mesh, edit, seed, more = job
-    row = {"mesh": name_of(mesh), "edit": edit, "seed": seed, "options": " ".join(more)}
+def same_when_posed(options, source, target):
+    """With --no-positions: are the regions the same, to the last pair, wherever the vertices of the target went?"""
+    obj = tool("objmesh")
+    positions, faces = obj.read_obj(target)
+    plain = match(options, source, target, "--no-positions")["regions"]
+    same = {}
+    with tempfile.TemporaryDirectory() as folder:
+        moved = pathlib.Path(folder, "b.obj")
+        for pose in POSES:
+            obj.write_obj(moved, posed(positions, faces, pose), faces)
+            same[pose] = match(options, source, moved, "--no-positions")["regions"] == plain
+    return same
+
+
+def measure_copy(job):
+    options, mesh, edit, seed = job
+    row = {"mesh": name_of(mesh), "edit": edit, "seed": seed}
     try:
         with edited_copy(mesh, edits_named(edit), seed) as (source, target, _):
-            return row | measure_pair(options, source, target, more)
+            rows = [row | {"options": " ".join(more)} | measure_pair(options, source, target, more) for more in WAYS]
+            return {"rows": rows, "posed": [row | same_when_posed(options, source, target)]}
     except LookupError as error:
-        return row | {"skipped": str(error)}
+        return {"rows": [], "posed": [row | {"skipped": str(error)}]}
 
 
 def measure_real(job):
-    options, folder, more = job
-    row = {"mesh": folder.name, "edit": "real pair", "options": " ".join(more)}
-    return row | measure_pair(options, folder / "a.obj", folder / "b.obj", more)
-
-
-def measure_posed(job):
-    """With --no-positions: are the regions the same, to the last pair, wherever the vertices of the copy went?"""
-    options, mesh, edit, seed = job
-    row = {"mesh": name_of(mesh), "edit": edit, "seed": seed}
-    regions = []
-    try:
-        for poses in [[], *([pose] for pose in POSES)]:
-            with edited_copy(mesh, edits_named(edit), seed, poses) as (source, target, _):
-                regions.append(match(options, source, target, "--no-positions")["regions"])
-    except LookupError as error:
-        return row | {"skipped": str(error)}
-    return row | {pose: other == regions[0] for pose, other in zip(POSES, regions[1:])}
+    options, folder = job
+    row = {"mesh": folder.name, "edit": "real pair"}
+    return {"rows": [row | {"options": " ".join(more)} | measure_pair(options, folder / "a.obj", folder / "b.obj", more)
+                     for more in WAYS], "posed": []}
 
 
 def measure(options):
-    meshes, seeds = quality_meshes(options), SEEDS[:1] if options.quick else SEEDS
-    ways = [(), ("--no-positions",)]
-    rows = in_parallel(options, measure_edited, [(options, mesh, edit, seed, more) for more in ways for edit in EDITS
-                                                 for mesh in meshes for seed in seeds])
-    rows += in_parallel(options, measure_real, [(options, folder, more) for more in ways for folder in pair_folders(options)])
-    posed = in_parallel(options, measure_posed, [(options, mesh, edit, seed) for edit in EDITS for mesh in meshes
-                                                 for seed in seeds])
-    keep(options, "invariance.json", {"rows": rows, "posed": posed})
+    seeds = SEEDS[:1] if options.quick else SEEDS
+    found = in_parallel(options, measure_copy, [(options, mesh, edit, seed) for edit in EDITS
+                                                for mesh in quality_meshes(options) for seed in seeds])
+    found += in_parallel(options, measure_real, [(options, folder) for folder in pair_folders(options)])
+    keep(options, "invariance.json", {key: sum((one[key] for one in found), []) for key in ("rows", "posed")})
 
 
 def share(rows, key):
@@ -109,8 +109,7 @@ def share(rows, key):
 def groups(rows):
     found = collections.OrderedDict()
     for row in rows:
-        if "faces" in row:
-            found.setdefault((row["edit"], row["options"]), []).append(row)
+        found.setdefault((row["options"], row["edit"]), []).append(row)
     return found
 
 
@@ -118,11 +117,11 @@ def bars(options):
     figures = kept(options, "invariance.json")
     if not figures:
         return []
-    rows = [row for row in figures["rows"] if "faces" in row]
-    posed = [row[pose] for row in figures["posed"] for pose in POSES if pose in row]
+    rows = figures["rows"]
+    same = [row[pose] for row in figures["posed"] for pose in POSES if pose in row]
     return [Bar("invariance: same pairs, B renumbered", share(rows, "renumbered"), LEAST_SAME),
             Bar("invariance: same pairs, A and B swapped", share(rows, "swapped"), LEAST_SAME),
-            Bar("invariance: same regions without positions, B posed", sum(posed) / max(1, len(posed)), 1)]
+            Bar("invariance: same regions without positions, B posed", sum(same) / max(1, len(same)), 1)]
 
 
 def page(options):
@@ -130,7 +129,7 @@ def page(options):
     if not figures:
         return []
     lines = []
-    for (edit, more), rows in groups(figures["rows"]).items():
+    for (more, edit), rows in sorted(groups(figures["rows"]).items(), key=lambda group: group[0][0]):
         worst = min(rows, key=lambda row: min(share([row], "renumbered"), share([row], "swapped")))
         lowest = min(share([worst], "renumbered"), share([worst], "swapped"))
         elsewhere = sum(row[key]["elsewhere"] for row in rows for key in ("renumbered", "swapped"))
@@ -138,8 +137,8 @@ def page(options):
         lines.append([f"{edit} `{more}`" if more else edit, len(rows), f"{share(rows, 'renumbered'):.5f}",
                       f"{share(rows, 'swapped'):.5f}", f"{lowest:.4f}" + (f" {worst['mesh']}" if lowest < 1 else ""),
                       elsewhere, f"{vague:.3f}"])
-    posed = [row for row in figures["posed"] if POSES[0] in row]
-    same = [[pose, len(posed), sum(row[pose] for row in posed)] for pose in POSES]
+    copies = [row for row in figures["posed"] if POSES[0] in row]
+    same = [[pose, len(copies), sum(row[pose] for row in copies)] for pose in POSES]
     return ["\n## Invariance\n",
             f"{command_line('invariance')}. A matched with B, with B in another order, and B with A: the share of faces "
             "with the same partner by the same rotation, of those matched by either and reported ambiguous by neither. "

@@ -1,11 +1,10 @@
 """Real pairs with one side posed: bent, and turned by 90 degrees."""
 import json
 import pathlib
-import random
 import tempfile
 
 from parts.common import Bar, command_line, keep, kept, table
-from parts.subjects import in_parallel, match, pair_folders, tool
+from parts.subjects import in_parallel, match, pair_folders, posed, tool
 
 POSES = ["turn", "bend:60"]
 LEAST_RECALL = 0.99
@@ -13,15 +12,12 @@ LEAST_RECALL = 0.99
 
 def measure_pair(job):
     options, folder, pose = job
-    obj, editor = tool("objmesh"), tool("edit_mesh")
+    obj = tool("objmesh")
     positions, faces = obj.read_obj(folder / "b.obj")
-    target = editor.EditableMesh(positions, faces, random.Random(0))
-    name, _, size = pose.partition(":")
-    editor.EDITS[name](target, int(size or 0))  # moves positions, keeps the numbering
     with tempfile.TemporaryDirectory() as scratch:
-        posed = pathlib.Path(scratch, "b.obj")
-        obj.write_obj(posed, target.positions, faces)
-        found = match(options, folder / "a.obj", posed)
+        target = pathlib.Path(scratch, "b.obj")
+        obj.write_obj(target, posed(positions, faces, pose), faces)
+        found = match(options, folder / "a.obj", target)
     truth = json.loads((folder / "truth.json").read_text(encoding="utf-8"))
     return {"pair": folder.name, "pose": pose, **tool("score_match").score(truth, found, faces)}
 

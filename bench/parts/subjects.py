@@ -64,6 +64,15 @@ def edited_copy(mesh, edits, seed, poses=()):
         yield source, target, changed[2]
 
 
+def posed(positions, faces, pose):
+    """Where a pose such as bend:60 moves the vertices; their order stays."""
+    editor = tool("edit_mesh")
+    mesh = editor.EditableMesh(positions, faces, random.Random(0))
+    name, _, size = pose.partition(":")
+    editor.EDITS[name](mesh, int(size) if size else editor.DEFAULT_SIZE[name])
+    return mesh.positions
+
+
 def edits_named(name):
     return tool("quality").EDITS[name]
 
