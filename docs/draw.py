@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draw the pictures of docs/how-it-works.md into docs/images/: the same bytes every time.
+"""Draw the pictures of README.md and docs/how-it-works.md into docs/images/: the same bytes every time.
 
 usage: docs/draw.py [--build FOLDER]
 
@@ -231,6 +231,12 @@ def draw_pair(programs, name, source, target, titles, box=None, both_sides=False
     save(figure, name)
 
 
+def draw_bears(programs):
+    """What demo.sh matches."""
+    names = "bear.obj", "bear_no_ears_posed.obj"
+    draw_pair(programs, "bears.png", *(EXAMPLES / name for name in names), names)
+
+
 def draw_regions(programs):
     source = EXAMPLES / "bear.obj"
     target = programs.edited(source, 9, "delete:40", "extrude:40", "loop:1", "twist:1", "loop:1", "renumber")
@@ -245,7 +251,7 @@ def draw_seam(programs):
               box=((-1.3, 0.35), (-0.3, 1.05)), both_sides=True)
 
 
-PICTURES = [draw_skeletons, draw_waves, draw_regions, draw_seam]
+PICTURES = [draw_bears, draw_skeletons, draw_waves, draw_regions, draw_seam]
 
 
 def main():
