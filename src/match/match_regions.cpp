@@ -112,12 +112,26 @@ double length_disagreement(const Mesh& source, const Mesh& target, const Match& 
 /// Lengths that differ by more than this may be those of a mirror image; or of a posed model, so both are tried.
 constexpr double kDoubtful = 0.03;
 
-/// Larger is better; of matches nearly as large the one whose lengths fit clearly better.
-bool is_better(const Match& match, double off, const Match& other, double other_off) {
-  const auto faces = static_cast<double>(match.matched_faces()), others = static_cast<double>(other.matched_faces());
-  if (faces > 0.9 * others && off < 0.5 * other_off - 0.01) return true;
-  if (others > 0.9 * faces && other_off < 0.5 * off - 0.01) return false;
-  return faces > others;
+/// Does the one mesh lie on the other whole, with every corner agreeing?
+bool is_whole(const Match& match, const Mesh& source, const Mesh& target) {
+  return match.matched_faces() == std::max(source.face_count(), target.face_count()) &&
+         std::all_of(match.regions.begin(), match.regions.end(), [](const Region& region) {
+           return region.evidence.agreeing == region.evidence.source_extraordinary &&
+                  region.evidence.agreeing == region.evidence.target_extraordinary;
+         });
+}
+
+/// Is the match of the mirror image the better one? The lengths say so, or it is whole and the other is not, or it is
+/// clearly larger. A model whose left is its right has two maps that differ by a few faces at most, and of these the
+/// one that keeps the orientation is meant.
+bool mirror_is_better(const Match& mirrored, double mirrored_off, const Match& match, double off, const Mesh& source,
+                      const Mesh& target) {
+  const auto faces = static_cast<double>(match.matched_faces());
+  const auto mirrored_faces = static_cast<double>(mirrored.matched_faces());
+  if (mirrored_faces > 0.9 * faces && mirrored_off < 0.5 * off - 0.01) return true;
+  if (faces > 0.9 * mirrored_faces && off < 0.5 * mirrored_off - 0.01) return false;
+  if (is_whole(mirrored, source, target)) return !is_whole(match, source, target);
+  return mirrored_faces > 1.02 * faces;
 }
 
 /// Take those regions of another match into components that this one left wholly free.
@@ -156,7 +170,7 @@ Match match_regions(const Mesh& source, const Mesh& target, const MatchOptions& 
     if (off > kDoubtful || leaves_much_unmatched(match, source, target)) {
       Match mirrored = match_mirrored(left, target, options);
       const double mirrored_off = length_disagreement(source, target, mirrored, options);
-      if (is_better(mirrored, mirrored_off, match, off)) std::swap(match, mirrored);
+      if (mirror_is_better(mirrored, mirrored_off, match, off, source, target)) std::swap(match, mirrored);
       fill_free_components(match, mirrored, source, target);
       match.complete = match.complete && mirrored.complete;
     }
