@@ -131,7 +131,7 @@ bool mirror_is_better(const Match& mirrored, double mirrored_off, const Match& m
   if (mirrored_faces > 0.9 * faces && mirrored_off < 0.5 * off - 0.01) return true;
   if (faces > 0.9 * mirrored_faces && off < 0.5 * mirrored_off - 0.01) return false;
   if (is_whole(mirrored, source, target)) return !is_whole(match, source, target);
-  return mirrored_faces > 1.02 * faces;
+  return mirrored_faces > 1.25 * faces;
 }
 
 /// Take those regions of another match into components that this one left wholly free.
