@@ -72,10 +72,12 @@ bool leaves_much_unmatched(const Match& match, const Mesh& source, const Mesh& t
          (has_free_component(source, match, &FacePair::source) && has_free_component(target, match, &FacePair::target));
 }
 
-/// How far the lengths of matched edges differ, as a share, in the middle of a sample; 0 where positions are not to be
-/// looked at. A shoe lies on its mirror image either way round as connectivity goes, but only one way as lengths go.
-double length_disagreement(const Mesh& source, const Mesh& target, const Match& match, const MatchOptions& options) {
-  constexpr std::size_t kSamples = 500;
+/// How far matched quads differ in their tapers, the logarithms of the ratios of opposite edges, in the middle of a
+/// sample; 0 where positions are not to be looked at. A shoe lies on its mirror image either way round as connectivity
+/// goes, but only one way as tapers go: posing and sculpting, which change lengths at will, change the lengths of
+/// opposite edges alike.
+double taper_disagreement(const Mesh& source, const Mesh& target, const Match& match, const MatchOptions& options) {
+  constexpr std::size_t kSamples = 1000;
   if (!options.positions || source.positions().empty() || target.positions().empty()) return 0;
   const auto log_length = [](const Mesh& mesh, FaceId face, std::uint32_t from, std::uint32_t to) {
     const std::uint32_t first = mesh.first(face).value;
@@ -88,29 +90,27 @@ double length_disagreement(const Mesh& source, const Mesh& target, const Match& 
   std::size_t count = 0;
   for (const Region& region : match.regions) {
     for (const FacePair& pair : region.faces) {
-      if (count++ % step != 0) continue;
-      const std::uint32_t size = source.size(pair.source);
-      for (std::uint32_t corner = 0; corner < size; ++corner) {
-        const auto image = [&](std::uint32_t c) { return image_corner(region.orientation, pair.rotation, c, size); };
-        const std::uint32_t next = (corner + 1) % size;
-        differences.push_back(log_length(target, pair.target, image(corner), image(next)) -
-                              log_length(source, pair.source, corner, next));
+      if (count++ % step != 0 || source.size(pair.source) != 4) continue;
+      const auto image = [&](std::uint32_t corner) {
+        return image_corner(region.orientation, pair.rotation, corner % 4, 4);
+      };
+      const auto stretch = [&](std::uint32_t corner) {
+        return log_length(target, pair.target, image(corner), image(corner + 1)) -
+               log_length(source, pair.source, corner, (corner + 1) % 4);
+      };
+      for (std::uint32_t corner = 0; corner < 2; ++corner) {
+        differences.push_back(std::abs(stretch(corner) - stretch(corner + 2)));
       }
     }
   }
   if (differences.empty()) return 0;
-  const auto middle = [&] {
-    const auto place = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-    std::nth_element(differences.begin(), place, differences.end());
-    return *place;
-  };
-  const double scale = middle();
-  for (double& difference : differences) difference = std::abs(difference - scale);
-  return middle();
+  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
+  std::nth_element(differences.begin(), middle, differences.end());
+  return *middle;
 }
 
-/// Lengths that differ by more than this may be those of a mirror image; or of a posed model, so both are tried.
-constexpr double kDoubtful = 0.03;
+/// Tapers that differ by more than this may be those of a mirror image; or of a sculpted model, so both are tried.
+constexpr double kDoubtful = 0.01;
 
 /// Does the one mesh lie on the other whole, with every corner agreeing?
 bool is_whole(const Match& match, const Mesh& source, const Mesh& target) {
@@ -121,15 +121,16 @@ bool is_whole(const Match& match, const Mesh& source, const Mesh& target) {
          });
 }
 
-/// Is the match of the mirror image the better one? The lengths say so, or it is whole and the other is not, or it is
+/// Is the match of the mirror image the better one? The tapers say so, or it is whole and the other is not, or it is
 /// clearly larger. A model whose left is its right has two maps that differ by a few faces at most, and of these the
 /// one that keeps the orientation is meant.
 bool mirror_is_better(const Match& mirrored, double mirrored_off, const Match& match, double off, const Mesh& source,
                       const Mesh& target) {
   const auto faces = static_cast<double>(match.matched_faces());
   const auto mirrored_faces = static_cast<double>(mirrored.matched_faces());
-  if (mirrored_faces > 0.9 * faces && mirrored_off < 0.5 * off - 0.01) return true;
-  if (faces > 0.9 * mirrored_faces && off < 0.5 * mirrored_off - 0.01) return false;
+  const auto fits_better = [](double one, double other) { return one < 0.8 * other - 0.002; };
+  if (mirrored_faces > 0.9 * faces && fits_better(mirrored_off, off)) return true;
+  if (faces > 0.9 * mirrored_faces && fits_better(off, mirrored_off)) return false;
   if (is_whole(mirrored, source, target)) return !is_whole(match, source, target);
   return mirrored_faces > 1.25 * faces;
 }
@@ -166,10 +167,10 @@ Match match_regions(const Mesh& source, const Mesh& target, const MatchOptions& 
   }
   Match match = match_laid(left, Analysis(target), options, Orientation::Preserving);
   if (options.orientation == OrientationChoice::Auto && match.complete) {
-    const double off = length_disagreement(source, target, match, options);
+    const double off = taper_disagreement(source, target, match, options);
     if (off > kDoubtful || leaves_much_unmatched(match, source, target)) {
       Match mirrored = match_mirrored(left, target, options);
-      const double mirrored_off = length_disagreement(source, target, mirrored, options);
+      const double mirrored_off = taper_disagreement(source, target, mirrored, options);
       if (mirror_is_better(mirrored, mirrored_off, match, off, source, target)) std::swap(match, mirrored);
       fill_free_components(match, mirrored, source, target);
       match.complete = match.complete && mirrored.complete;
