@@ -8,7 +8,7 @@ namespace quadmatch::regions {
 namespace {
 
 /// Faces grown at most while the maps of one part are tried: by its faces, and beside that for the smallest.
-constexpr std::size_t kBudget = 12, kLeastBudget = 2048;
+constexpr std::size_t kBudget = 24, kLeastBudget = 1 << 16;
 /// Maps of one part that are tried at most.
 constexpr std::size_t kMostWays = 64;
 
