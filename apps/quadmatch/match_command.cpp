@@ -45,7 +45,7 @@ const std::map<std::string, OrientationChoice> kOrientations{{"auto", Orientatio
 const std::map<std::string, bool Stages::*> kStages{
     {"equal-parts", &Stages::equal_parts}, {"seams", &Stages::seams},           {"ties", &Stages::ties},
     {"slides", &Stages::slides},           {"slivers", &Stages::slivers},       {"islands", &Stages::islands},
-    {"restarts", &Stages::restarts},       {"acceptance", &Stages::acceptance},
+    {"restarts", &Stages::restarts},       {"acceptance", &Stages::acceptance},   {"doubts", &Stages::doubts},
 };
 
 template <class Choice>
@@ -258,7 +258,7 @@ void add_match_command(CLI::App& program, Action& chosen) {
   verb->add_option(
           "--without", arguments->without,
           "For experiments: leave out stages of regions, of equal-parts, seams, ties, slides, slivers, islands, "
-          "restarts, acceptance")
+          "restarts, acceptance, doubts")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(one_of(kStages))

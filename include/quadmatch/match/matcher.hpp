@@ -37,6 +37,7 @@ struct Stages {
   bool islands = true;      ///< parts cut off by new faces are reached by hops
   bool restarts = true;     ///< large parts left free are tried from rare corners
   bool acceptance = true;   ///< what chance may have brought together is dropped
+  bool doubts = true;       ///< what lies as well on something else is told to be ambiguous
 };
 
 /// A place the user knows to be the same: half-edge on half-edge (a face corner, or an edge of a face).

@@ -70,6 +70,7 @@ class Engine {
     const PieceOfRegion piece_of = piece_of_region(outcome.pieces);
     weigh_pieces(sides_, patchwork_, piece_of, outcome.pieces);
     mark_ties(equal.ties(), piece_of, outcome.pieces);
+    mark_doubts(outcome.pieces);
     return outcome;
   }
 
@@ -112,6 +113,7 @@ class Engine {
       mend();
     }
     if (stages_.acceptance) drop_unlikely(bench_);
+    if (stages_.doubts && report()) doubts_ = set_doubts_apart(bench_);
   }
 
   /// Make the costs small: move what lies badly, match what was left over.
@@ -169,6 +171,17 @@ class Engine {
     }
   }
 
+  /// Tell the pieces that might as well lie elsewhere.
+  void mark_doubts(std::vector<Piece>& pieces) const {
+    std::vector<bool> is_doubtful(patchwork_.region_count(), false);
+    for (const std::uint32_t region : doubts_) is_doubtful[region] = true;
+    for (Piece& piece : pieces) {
+      if (!is_doubtful[piece.region]) continue;
+      piece.ways = std::max(piece.ways, 2U);
+      piece.ambiguous = true;
+    }
+  }
+
   const Sides& sides_;
   const Stages& stages_;
   const EngineProgress& progress_;
@@ -178,6 +191,7 @@ class Engine {
   Workbench bench_;
   ColouredSpokes with_lengths_;
   std::vector<std::uint32_t> pinned_;
+  std::vector<std::uint32_t> doubts_;  // regions, before the last split
   SeamsAtRest seams_;
   bool cancelled_ = false;
 };

@@ -80,32 +80,40 @@ class Extension {
 /// Which faces of the ghost should join its region?
 class Expansion {
  public:
-  Expansion(Workbench& bench, std::uint32_t region)
-      : bench_(bench), region_(region), cut_(static_cast<std::uint32_t>(bench.ghost.pairs().size())) {}
+  explicit Expansion(Workbench& bench) : bench_(bench), cut_(static_cast<std::uint32_t>(bench.ghost.pairs().size())) {}
 
-  std::size_t apply() {
+  /// The pairs that are better off with the region, if a change of partner is rewarded.
+  std::vector<Candidate> joining(double reward) {
     const std::vector<Candidate>& pairs = bench_.ghost.pairs();
-    for (std::uint32_t i = 0; i < pairs.size(); ++i) add_face(i, pairs[i]);
+    for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+      add_face(i, pairs[i]);
+      if (reward > 0 && !lies_so_now(pairs[i])) cut_.add_cost(i, reward, 0);
+    }
     const std::vector<bool> joins = cut_.solve();
     std::vector<Candidate> joining;
-    std::size_t changed = 0;
     for (std::uint32_t i = 0; i < pairs.size(); ++i) {
-      if (!joins[i]) continue;
-      joining.push_back(pairs[i]);
-      changed += !lies_so_now(pairs[i]);
+      if (joins[i]) joining.push_back(pairs[i]);
     }
+    return joining;
+  }
+
+  std::size_t apply(std::uint32_t region) {
+    const std::vector<Candidate> joining = this->joining(0);
+    std::size_t changed = 0;
+    for (const Candidate& pair : joining) changed += !lies_so_now(pair);
     for (const Candidate& pair : joining) {
       if (const FaceId face = source_.face(pair.source); patchwork_.is_matched(face)) patchwork_.lift(face);
       if (const FaceId owner = patchwork_.origin(target_.face(pair.target)); owner.valid()) patchwork_.lift(owner);
     }
-    for (const Candidate& pair : joining) patchwork_.lay(pair, region_);
+    for (const Candidate& pair : joining) patchwork_.lay(pair, region);
     return changed;
   }
 
- private:
   [[nodiscard]] bool lies_so_now(Candidate pair) const {
     return patchwork_.is_matched(source_.face(pair.source)) && patchwork_.image(pair.source) == pair.target;
   }
+
+ private:
   [[nodiscard]] double cost_now(FaceId face) const { return bench_.misfit.present_cost(patchwork_, face); }
   void add_face(std::uint32_t i, Candidate pair) {
     const FaceId face = source_.face(pair.source);
@@ -155,7 +163,6 @@ class Expansion {
   const Mesh& source_ = bench_.sides.source.mesh;
   const Mesh& target_ = bench_.sides.target.mesh;
   Patchwork& patchwork_ = bench_.patchwork;
-  std::uint32_t region_;
   BinaryCut cut_;
 };
 
@@ -184,7 +191,15 @@ bool extend_seed(Workbench& bench, Candidate seed, std::size_t most_faces, bool 
 }
 
 std::size_t expand(Workbench& bench, std::uint32_t region) {
-  return bench.ghost.pairs().empty() ? 0 : Expansion(bench, region).apply();
+  return bench.ghost.pairs().empty() ? 0 : Expansion(bench).apply(region);
+}
+
+std::vector<Candidate> would_join(Workbench& bench, double reward) {
+  if (bench.ghost.pairs().empty()) return {};
+  Expansion expansion(bench);
+  std::vector<Candidate> pairs = expansion.joining(reward);
+  std::erase_if(pairs, [&](Candidate pair) { return expansion.lies_so_now(pair); });
+  return pairs;
 }
 
 }  // namespace quadmatch::regions

@@ -23,9 +23,15 @@ void extend_region(Workbench& bench, const std::vector<HalfedgeId>& faces, std::
 /// @return           false if the pair does not fit at all.
 bool extend_seed(Workbench& bench, Candidate seed, std::size_t most_faces, bool near_only = false);
 
+/// How many faces a region of so many may be carried on over.
+[[nodiscard]] constexpr std::size_t most_faces_beyond(std::size_t faces) { return 3 * faces + 3000; }
+
 /// Give those faces of the ghost to a region that are better off with it.
 /// @return  faces whose partner changed.
 /// @par Cost  that of a minimum cut over the ghost's faces.
 std::size_t expand(Workbench& bench, std::uint32_t region);
+
+/// The pairs of the ghost that would change their faces' partners if that were rewarded, face by face; changes nothing.
+[[nodiscard]] std::vector<Candidate> would_join(Workbench& bench, double reward);
 
 }  // namespace quadmatch::regions

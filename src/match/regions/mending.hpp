@@ -65,4 +65,8 @@ std::size_t restart(Workbench& bench);
 /// Lift the regions that chance may have brought together. @return faces lifted.
 std::size_t drop_unlikely(Workbench& bench);
 
+/// Doubts: faces that lie as well on something else, as far as corners, lengths and neighbours tell, form regions of
+/// their own. @return these regions
+std::vector<std::uint32_t> set_doubts_apart(Workbench& bench);
+
 }  // namespace quadmatch::regions

@@ -40,7 +40,7 @@ std::size_t move_seams(Workbench& bench, SeamsAtRest& rest) {
     for (const std::uint32_t region : largest_first(faces)) {
       const std::vector<HalfedgeId> from = changed_faces(bench, faces[region], rest[region]);
       if (from.empty()) continue;
-      extend_region(bench, from, region, 3 * faces[region].size() + 3000);
+      extend_region(bench, from, region, most_faces_beyond(faces[region].size()));
       const std::size_t changed_here = expand(bench, region);
       if (changed_here == 0) rest[region] = bench.patchwork.changes();
       changed_now += changed_here;

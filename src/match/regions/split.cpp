@@ -40,7 +40,7 @@ class Splitter {
     number_ = static_cast<std::uint32_t>(pieces_.size());
     pieces_.emplace_back();
     Piece& piece = pieces_.back();
-    label_ = patchwork_.region(source_.face(start));
+    label_ = piece.region = patchwork_.region(source_.face(start));
     accept({start, patchwork_.image(start)}, piece);
     for (std::size_t here = 0; here < piece.pairs.size(); ++here) {
       if (piece.waves.empty() || here == piece.waves.back()) {

@@ -14,6 +14,8 @@ struct Piece {
   std::vector<Candidate> pairs;
   /// How many pairs had been reached at the end of each wave.
   std::vector<std::uint32_t> waves;
+  /// The region of the patchwork from which it was cut.
+  std::uint32_t region = 0;
   /// What speaks for it: see weigh_pieces().
   Evidence evidence = {};
   /// How many maps are as good, and whether none of them is better (see Region).
