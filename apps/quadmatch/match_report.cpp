@@ -96,8 +96,9 @@ std::string doubts_of(const MatchReport& report) {
   const auto parts = std::count_if(report.regions.begin(), report.regions.end(),
                                    [](const RegionReport& region) { return region.ambiguous; });
   return fmt::format(
-      "{} in {} could as well lie otherwise: the part is symmetric, or one of several that are equal, and "
-      "nothing says which is which; an --anchor on it would",
+      "{} in {} could as well lie otherwise: in a symmetric part, in one of several that are equal, or in rows of "
+      "quads "
+      "beside which one came or went; nothing says which is which, an --anchor there would",
       counted(faces, "face"), counted(static_cast<std::uint64_t>(parts), "region"));
 }
 

@@ -64,7 +64,7 @@ TEST_CASE("regions: every match of two meshes of the zoo is sound, whichever sta
                                     {.seams = false},
                                     {.ties = false, .slides = false},
                                     {.slivers = false, .islands = false},
-                                    {.equal_parts = false, .restarts = false, .acceptance = false}};
+                                    {.equal_parts = false, .restarts = false, .acceptance = false, .doubts = false}};
   for (const auto& [name, soup] : zoo) {
     for (const auto& [other_name, other_soup] : zoo) {
       const Mesh source = test::build(soup), target = test::build(other_soup);
@@ -136,6 +136,39 @@ TEST_CASE("regions: the bear without ears in another pose is the bear but for it
   const Match match = judged(source, target);
   CHECK(recall(match, truth) >= 0.98);  // beside the ears the refined surface itself is another
   CHECK(match.matched_faces() <= shapes::bear_common_faces() + 32);
+}
+
+TEST_CASE("regions: where a row of quads is taken out or cut in two, what lies wrong is said to be ambiguous") {
+  const PolygonSoup bear = shapes::bear().soup;
+  const Mesh source = test::build(bear);
+  int edits = 0;
+  for (const std::uint32_t crossed : {401U, 1500U, 2222U, 5001U, 7003U}) {
+    for (const auto& edit :
+         {shapes::insert_edge_loop(bear, HalfedgeId(crossed)), shapes::remove_edge_loop(bear, HalfedgeId(crossed))}) {
+      CAPTURE(crossed);
+      if (!edit) continue;  // the chord crosses itself
+      ++edits;
+      const Mesh target = test::build(edit->soup);
+      const Match match = judged(source, target, {.positions = false});
+      std::vector<FacePair> sure;
+      for (const Region& region : match.regions) {
+        if (!region.ambiguous) sure.insert(sure.end(), region.faces.begin(), region.faces.end());
+      }
+      const auto wrong = std::count_if(sure.begin(), sure.end(), [&](const FacePair& pair) {
+        const auto truth = std::lower_bound(edit->truth.begin(), edit->truth.end(), pair,
+                                            [](const FacePair& a, const FacePair& b) { return a.source < b.source; });
+        return truth != edit->truth.end() && truth->source == pair.source && !(*truth == pair);
+      });
+      CHECK(ambiguous_faces(match) > 0);
+      CHECK(wrong == 0);
+      CHECK(2 * sure.size() > source.face_count());
+      CHECK(ambiguous_faces(judged(source, target, {.positions = false, .stages = {.doubts = false}})) == 0);
+      for (const Region& region : judged(source, target).regions) {  // lengths know
+        if (region.ambiguous) CHECK(region.faces.size() < 200);
+      }
+    }
+  }
+  CHECK(edits >= 3);
 }
 
 TEST_CASE("regions: of several equal parts positions say which is which, and without them the match says it cannot") {
@@ -216,7 +249,7 @@ TEST_CASE("regions: with positions switched off they are never looked at") {
   for (std::size_t k = 0; k < plain.regions.size(); ++k) CHECK(plain.regions[k].faces == other.regions[k].faces);
 }
 
-TEST_CASE("regions: a mirror image is matched the way its lengths say, even where either way would do") {
+TEST_CASE("regions: a mirror image is matched the way its tapers say, even where either way would do") {
   // The plate is its own mirror image, but not with these sides.
   PolygonSoup plate = shapes::grid(4, 4);
   for (Point& p : plate.positions) p = {p[0] * (1 + 0.2 * p[0]), p[1] * (1 + 0.35 * p[1]) + 0.3 * p[0], 0.0};

@@ -42,8 +42,7 @@ struct Edit {
 /// The quads of the row do not survive.
 /// @param crossed  a half-edge along the edge.
 /// @par Errors     BadArgument also where the chord meets a face other than a quad, or itself, or where the result
-/// would
-///                 not be as well-formed as the mesh was (see `check`).
+///                 would not be as well-formed as the mesh was (see `check`).
 [[nodiscard]] Expected<Edit> remove_edge_loop(const PolygonSoup& soup, HalfedgeId crossed);
 
 /// Turn what lies beyond a ring of quads by `shift` quads against the rest, and join it again. The quads of the ring do
