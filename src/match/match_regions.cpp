@@ -72,45 +72,62 @@ bool leaves_much_unmatched(const Match& match, const Mesh& source, const Mesh& t
          (has_free_component(source, match, &FacePair::source) && has_free_component(target, match, &FacePair::target));
 }
 
-/// How far matched quads differ in their tapers, the logarithms of the ratios of opposite edges, in the middle of a
-/// sample; 0 where positions are not to be looked at. A shoe lies on its mirror image either way round as connectivity
-/// goes, but only one way as tapers go: posing and sculpting, which change lengths at will, change the lengths of
-/// opposite edges alike.
-double taper_disagreement(const Mesh& source, const Mesh& target, const Match& match, const MatchOptions& options) {
-  constexpr std::size_t kSamples = 1000;
-  if (!options.positions || source.positions().empty() || target.positions().empty()) return 0;
+/// How far matched quads differ in shape: in the middle of a sample, as logarithms; 0 where positions are not to be
+/// looked at.
+struct Misshape {
+  /// Ratios of opposite edges. Posing and sculpting change lengths at will, but those of opposite edges alike.
+  double tapers = 0;
+  /// Lengths of edges, but for the scale of the models.
+  double lengths = 0;
+
+  /// A shoe lies on its mirror image either way round as connectivity goes, but only one way as its shape goes.
+  [[nodiscard]] bool clearly_below(const Misshape& other) const {
+    if (tapers < 0.8 * other.tapers - 0.002) return true;
+    return lengths < 0.5 * other.lengths - 0.01 && !(other.tapers < 0.8 * tapers - 0.002);
+  }
+  /// These may be the shapes of a mirror image; or of a posed model, so both are tried.
+  [[nodiscard]] bool is_doubtful() const { return tapers > 0.01 || lengths > 0.03; }
+};
+
+/// The middle one. Reorders them.
+double median(std::vector<double>& numbers) {
+  if (numbers.empty()) return 0;
+  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
+  std::nth_element(numbers.begin(), middle, numbers.end());
+  return *middle;
+}
+
+Misshape misshape(const Mesh& source, const Mesh& target, const Match& match, const MatchOptions& options) {
+  constexpr std::size_t kSamples = 500;
+  if (!options.positions || source.positions().empty() || target.positions().empty()) return {};
   const auto log_length = [](const Mesh& mesh, FaceId face, std::uint32_t from, std::uint32_t to) {
     const std::uint32_t first = mesh.first(face).value;
     const Point& a = mesh.positions()[mesh.corners()[first + from].value];
     const Point& b = mesh.positions()[mesh.corners()[first + to].value];
     return std::log(std::max(1e-30, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2])));
   };
-  std::vector<double> differences;
+  std::vector<double> tapers, stretches;
   const std::size_t step = match.matched_faces() / kSamples + 1;
   std::size_t count = 0;
   for (const Region& region : match.regions) {
     for (const FacePair& pair : region.faces) {
-      if (count++ % step != 0 || source.size(pair.source) != 4) continue;
-      const auto image = [&](std::uint32_t corner) {
-        return image_corner(region.orientation, pair.rotation, corner % 4, 4);
-      };
-      const auto stretch = [&](std::uint32_t corner) {
-        return log_length(target, pair.target, image(corner), image(corner + 1)) -
-               log_length(source, pair.source, corner, (corner + 1) % 4);
-      };
-      for (std::uint32_t corner = 0; corner < 2; ++corner) {
-        differences.push_back(std::abs(stretch(corner) - stretch(corner + 2)));
+      if (count++ % step != 0) continue;
+      const std::uint32_t size = source.size(pair.source);
+      const std::size_t first = stretches.size();
+      for (std::uint32_t corner = 0; corner < size; ++corner) {
+        const auto image = [&](std::uint32_t c) { return image_corner(region.orientation, pair.rotation, c, size); };
+        const std::uint32_t next = (corner + 1) % size;
+        stretches.push_back(log_length(target, pair.target, image(corner), image(next)) -
+                            log_length(source, pair.source, corner, next));
       }
+      if (size != 4) continue;
+      for (std::size_t k = first; k < first + 2; ++k) tapers.push_back(std::abs(stretches[k] - stretches[k + 2]));
     }
   }
-  if (differences.empty()) return 0;
-  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-  std::nth_element(differences.begin(), middle, differences.end());
-  return *middle;
+  const double scale = median(stretches);
+  for (double& stretch : stretches) stretch = std::abs(stretch - scale);
+  return {median(tapers), median(stretches)};
 }
-
-/// Tapers that differ by more than this may be those of a mirror image; or of a sculpted model, so both are tried.
-constexpr double kDoubtful = 0.01;
 
 /// Does the one mesh lie on the other whole, with every corner agreeing?
 bool is_whole(const Match& match, const Mesh& source, const Mesh& target) {
@@ -121,16 +138,15 @@ bool is_whole(const Match& match, const Mesh& source, const Mesh& target) {
          });
 }
 
-/// Is the match of the mirror image the better one? The tapers say so, or it is whole and the other is not, or it is
+/// Is the match of the mirror image the better one? The shapes say so, or it is whole and the other is not, or it is
 /// clearly larger. A model whose left is its right has two maps that differ by a few faces at most, and of these the
 /// one that keeps the orientation is meant.
-bool mirror_is_better(const Match& mirrored, double mirrored_off, const Match& match, double off, const Mesh& source,
-                      const Mesh& target) {
+bool mirror_is_better(const Match& mirrored, const Misshape& mirrored_off, const Match& match, const Misshape& off,
+                      const Mesh& source, const Mesh& target) {
   const auto faces = static_cast<double>(match.matched_faces());
   const auto mirrored_faces = static_cast<double>(mirrored.matched_faces());
-  const auto fits_better = [](double one, double other) { return one < 0.8 * other - 0.002; };
-  if (mirrored_faces > 0.9 * faces && fits_better(mirrored_off, off)) return true;
-  if (faces > 0.9 * mirrored_faces && fits_better(off, mirrored_off)) return false;
+  if (mirrored_faces > 0.9 * faces && mirrored_off.clearly_below(off)) return true;
+  if (faces > 0.9 * mirrored_faces && off.clearly_below(mirrored_off)) return false;
   if (is_whole(mirrored, source, target)) return !is_whole(match, source, target);
   return mirrored_faces > 1.25 * faces;
 }
@@ -167,10 +183,10 @@ Match match_regions(const Mesh& source, const Mesh& target, const MatchOptions& 
   }
   Match match = match_laid(left, Analysis(target), options, Orientation::Preserving);
   if (options.orientation == OrientationChoice::Auto && match.complete) {
-    const double off = taper_disagreement(source, target, match, options);
-    if (off > kDoubtful || leaves_much_unmatched(match, source, target)) {
+    const Misshape off = misshape(source, target, match, options);
+    if (off.is_doubtful() || leaves_much_unmatched(match, source, target)) {
       Match mirrored = match_mirrored(left, target, options);
-      const double mirrored_off = taper_disagreement(source, target, mirrored, options);
+      const Misshape mirrored_off = misshape(source, target, mirrored, options);
       if (mirror_is_better(mirrored, mirrored_off, match, off, source, target)) std::swap(match, mirrored);
       fill_free_components(match, mirrored, source, target);
       match.complete = match.complete && mirrored.complete;

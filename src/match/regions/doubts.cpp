@@ -11,7 +11,7 @@ namespace quadmatch::regions {
 namespace {
 
 /// Another map that costs at most so much more, by face that it changes, is as good.
-constexpr double kTie = 0.03;
+constexpr double kTie = 0.05;
 
 class Doubts {
  public:
