@@ -33,6 +33,7 @@ struct Stages {
   bool seams = true;        ///< seams between regions move to where they cost least
   bool ties = true;         ///< positions settle what corners and lengths cannot
   bool slides = true;       ///< rings matched a step round are turned back
+  bool ventures = true;     ///< without lengths, regions go on past corners that disagree
   bool slivers = true;      ///< faces that no region can take in become regions of their own
   bool islands = true;      ///< parts cut off by new faces are reached by hops
   bool restarts = true;     ///< large parts left free are tried from rare corners

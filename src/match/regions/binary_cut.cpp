@@ -78,6 +78,17 @@ void BinaryCut::add_pair_cost(std::uint32_t i, std::uint32_t j, double no_no, do
   if (capacity > 0) links_.push_back({j, i, capacity});  // paid where j is yes and i is no
 }
 
+double BinaryCut::gain(const std::vector<bool>& yes) const {
+  std::int64_t gain = 0;
+  for (std::size_t i = 0; i < yes.size(); ++i) {
+    if (yes[i]) gain += no_[i] - yes_[i];
+  }
+  for (const Link& link : links_) {
+    if (yes[link.from] && !yes[link.to]) gain -= link.capacity;
+  }
+  return static_cast<double>(gain) / kUnit;
+}
+
 std::vector<bool> BinaryCut::solve() const {
   const auto count = static_cast<std::uint32_t>(no_.size());
   const std::uint32_t source = count, sink = count + 1;

@@ -21,6 +21,8 @@ class BinaryCut {
   /// The cheapest answers; where several are, with the fewest yes.
   /// @par Cost  that of Boykov & Kolmogorov's algorithm, linear in practice.
   [[nodiscard]] std::vector<bool> solve() const;
+  /// By how much some answers are cheaper than all no.
+  [[nodiscard]] double gain(const std::vector<bool>& yes) const;
 
  private:
   struct Link {

@@ -130,14 +130,17 @@ class Engine {
       move();
     }
     drop_misfits(bench_);
+    if (stages_.ventures && !misfit_.uses_lengths()) venture_on(bench_);
     if (stages_.slivers) match_slivers(bench_);
-    for (int round = 0; round < 2 && stages_.islands && report(); ++round) {
+    const int island_rounds = misfit_.uses_lengths() ? 2 : 6;  // without lengths each reaches less far
+    for (int round = 0; round < island_rounds && stages_.islands && report(); ++round) {
       if (match_islands(bench_) == 0) break;
       if (stages_.slivers) match_slivers(bench_);
     }
+    if (stages_.slivers && !misfit_.uses_lengths()) match_slivers(bench_, true);
     move();
     drop_misfits(bench_);
-    if (stages_.slivers) match_slivers(bench_);
+    if (stages_.slivers) match_slivers(bench_, true);
   }
   void move() {
     if (stages_.seams && report()) move_seams(bench_, seams_);

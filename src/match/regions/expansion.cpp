@@ -82,14 +82,16 @@ class Expansion {
  public:
   explicit Expansion(Workbench& bench) : bench_(bench), cut_(static_cast<std::uint32_t>(bench.ghost.pairs().size())) {}
 
-  /// The pairs that are better off with the region, if a change of partner is rewarded.
-  std::vector<Candidate> joining(double reward) {
+  /// The pairs that are better off with the region, if a change of partner is rewarded; none if all of them together
+  /// gain too little.
+  std::vector<Candidate> joining(double reward, double least_gain = 0) {
     const std::vector<Candidate>& pairs = bench_.ghost.pairs();
     for (std::uint32_t i = 0; i < pairs.size(); ++i) {
       add_face(i, pairs[i]);
       if (reward > 0 && !lies_so_now(pairs[i])) cut_.add_cost(i, reward, 0);
     }
     const std::vector<bool> joins = cut_.solve();
+    if (least_gain > 0 && cut_.gain(joins) < least_gain) return {};
     std::vector<Candidate> joining;
     for (std::uint32_t i = 0; i < pairs.size(); ++i) {
       if (joins[i]) joining.push_back(pairs[i]);
@@ -97,8 +99,8 @@ class Expansion {
     return joining;
   }
 
-  std::size_t apply(std::uint32_t region) {
-    const std::vector<Candidate> joining = this->joining(0);
+  std::size_t apply(std::uint32_t region, double least_gain) {
+    const std::vector<Candidate> joining = this->joining(0, least_gain);
     std::size_t changed = 0;
     for (const Candidate& pair : joining) changed += !lies_so_now(pair);
     for (const Candidate& pair : joining) {
@@ -190,8 +192,8 @@ bool extend_seed(Workbench& bench, Candidate seed, std::size_t most_faces, bool 
   return true;
 }
 
-std::size_t expand(Workbench& bench, std::uint32_t region) {
-  return bench.ghost.pairs().empty() ? 0 : Expansion(bench).apply(region);
+std::size_t expand(Workbench& bench, std::uint32_t region, double least_gain) {
+  return bench.ghost.pairs().empty() ? 0 : Expansion(bench).apply(region, least_gain);
 }
 
 std::vector<Candidate> would_join(Workbench& bench, double reward) {

@@ -27,9 +27,10 @@ bool extend_seed(Workbench& bench, Candidate seed, std::size_t most_faces, bool 
 [[nodiscard]] constexpr std::size_t most_faces_beyond(std::size_t faces) { return 3 * faces + 3000; }
 
 /// Give those faces of the ghost to a region that are better off with it.
+/// @param least_gain  nothing changes if the sum of all costs falls by less.
 /// @return  faces whose partner changed.
 /// @par Cost  that of a minimum cut over the ghost's faces.
-std::size_t expand(Workbench& bench, std::uint32_t region);
+std::size_t expand(Workbench& bench, std::uint32_t region, double least_gain = 0);
 
 /// The pairs of the ghost that would change their faces' partners if that were rewarded, face by face; changes nothing.
 [[nodiscard]] std::vector<Candidate> would_join(Workbench& bench, double reward);

@@ -30,6 +30,8 @@ class Ghost {
   [[nodiscard]] std::uint32_t pair_on(FaceId target_face) const { return pair_on_[target_face]; }
   /// Is the face in the base or the ghost?
   [[nodiscard]] bool covers(FaceId source_face) const { return pair_of_[source_face] != kNone || in_base(source_face); }
+  /// Has the vertex that s leaves a partner?
+  [[nodiscard]] bool knows(HalfedgeId s) const { return partner_of_source(s).valid(); }
   /// @pre covers its face
   [[nodiscard]] HalfedgeId image(HalfedgeId h) const;
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "hops.hpp"
+#include "likelihood.hpp"
 #include "mending.hpp"
 #include "trial.hpp"
 
@@ -17,7 +18,7 @@ struct Landing {
 
 class Islands {
  public:
-  explicit Islands(Workbench& bench) : bench_(bench), landing_of_(source_.face_count(), kNone) {}
+  explicit Islands(Workbench& bench) : bench_(bench), likelihood_(bench), landing_of_(source_.face_count(), kNone) {}
 
   std::size_t match() {
     const std::size_t before = bench_.patchwork.matched_faces();
@@ -48,11 +49,17 @@ class Islands {
       done[face] = true;
       HalfedgeId s = entry, t = bench_.patchwork.image(entry);
       do {
+        if (!bench_.misfit.uses_lengths()) land_beside({s, t});
         for_each_landing(bench_, {s, t}, [&](Candidate landing) { land(landing); });
         s = source_.next(s);
         t = target_.next(t);
       } while (s != entry);
     }
+  }
+  /// A hop over nothing: what is beside a pair may be a part that an edit cut off at its corners only.
+  void land_beside(Candidate edges) {
+    const Candidate beside{source_.twin(edges.source), target_.twin(edges.target)};
+    if (beside.source.valid() && beside.target.valid()) land(beside);
   }
   void land(Candidate pair) {
     const FaceId face = source_.face(pair.source), other = target_.face(pair.target);
@@ -101,7 +108,10 @@ class Islands {
   }
 
   /// What a trial is worth; 0 if it is not to be believed.
-  [[nodiscard]] double worth_of_ghost() const {
+  [[nodiscard]] double worth_of_ghost() {
+    return bench_.misfit.uses_lengths() ? worth_by_lengths() : worth_by_evidence();
+  }
+  [[nodiscard]] double worth_by_lengths() const {
     const std::vector<Candidate>& pairs = bench_.ghost.pairs();
     const auto size = static_cast<double>(pairs.size());
     std::uint32_t votes = 0, rim = 0;
@@ -112,17 +122,37 @@ class Islands {
         const HalfedgeId beside = source_.twin(h);
         rim += beside.valid() && !bench_.ghost.covers(source_.face(beside));
       }
-      if (bench_.misfit.uses_lengths()) fit += 1 - std::min(1.0, bench_.misfit.length_error(pair) / 3);
+      fit += 1 - std::min(1.0, bench_.misfit.length_error(pair) / 3);
     }
     const double share = rim == 0 ? 1.0 : static_cast<double>(votes) / rim;
-    if (bench_.misfit.uses_lengths()) {
-      fit /= size;
-      return fit > 0.6 && votes >= 2 ? size * fit * std::min(1.0, 2 * share) : 0;
-    }
-    return votes >= 4 && share >= 0.5 && pairs.size() >= 3 ? size * std::min(1.0, 2 * share) : 0;
+    fit /= size;
+    return fit > 0.6 && votes >= 2 ? size * fit * std::min(1.0, 2 * share) : 0;
+  }
+  /// What corners say, hops, and edges beyond which something else is matched already.
+  [[nodiscard]] double worth_by_evidence() {
+    constexpr double kVote = 2.0, kAgainst = 1.0, kEnough = 3.0;
+    const std::vector<Candidate>& pairs = bench_.ghost.pairs();
+    double worth = likelihood_.of(pairs);
+    for (const Candidate& pair : pairs) worth += kVote * votes_for(pair) - kAgainst * contradictions(pair);
+    return worth >= kEnough ? worth : 0;
+  }
+  /// Edges across which a face is matched, in either mesh, but not to the face across in the other.
+  [[nodiscard]] std::uint32_t contradictions(Candidate pair) const {
+    std::uint32_t count = 0;
+    auto [s, t] = pair;
+    do {
+      const HalfedgeId beside = source_.twin(s), beside_target = target_.twin(t);
+      const bool matched = beside.valid() && !is_free(source_.face(beside));
+      const bool taken = beside_target.valid() && !is_free_target(target_.face(beside_target));
+      count += (matched || taken) && !(matched && bench_.patchwork.image(beside) == beside_target);
+      s = source_.next(s);
+      t = target_.next(t);
+    } while (s != pair.source);
+    return count;
   }
 
   Workbench& bench_;
+  Likelihood likelihood_;
   const Mesh& source_ = bench_.sides.source.mesh;
   const Mesh& target_ = bench_.sides.target.mesh;
   std::vector<Landing> landings_;

@@ -20,6 +20,12 @@ class Likelihood {
   /// @par Cost     O(#pairs)
   [[nodiscard]] double of(std::span<const Candidate> pairs);
 
+  /// The same of one vertex on another.
+  [[nodiscard]] double of_vertex(VertexId v, VertexId w) const {
+    const VertexCode code = bench_.sides.source.code(v);
+    return code == bench_.sides.target.code(w) ? agrees_[code.value] : disagrees_;
+  }
+
   /// What chance has to beat: as many places as there are to begin in.
   [[nodiscard]] double needed_for_trial() const {
     return bench_.misfit.trusts_lengths() ? log_places_ + 2 : 3.2 * log_places_;

@@ -41,14 +41,21 @@ std::size_t move_seams(Workbench& bench, SeamsAtRest& rest);
 std::size_t drop_misfits(Workbench& bench);
 
 /// Slivers: unmatched faces beside matched ones that regions cannot take in, such as one side of a rip, become regions
-/// of their own where their neighbours say together what they lie on. @return faces matched.
-std::size_t match_slivers(Workbench& bench);
+/// of their own where their neighbours say together what they lie on.
+/// @param generous  without lengths, one neighbour is enough even where a corner or two disagree.
+/// @return          faces matched.
+std::size_t match_slivers(Workbench& bench, bool generous = false);
 
 /// Islands: parts cut off by new faces. Hop over one or two unmatched quads of one mesh, and try where one lands.
 /// @return faces matched.
 std::size_t match_islands(Workbench& bench);
 
-/// Slides: offer the map moved by one quad wherever lengths fit badly. @return faces whose partner changed.
+/// Ventures: without lengths, carry every region's map on past corners that disagree, as far as what agrees beyond
+/// them bears it out. @return faces matched.
+std::size_t venture_on(Workbench& bench);
+
+/// Slides: offer the map moved by one quad wherever lengths fit badly, or, without lengths, corners. @return faces
+/// whose partner changed.
 std::size_t undo_slides(Workbench& bench);
 
 /// Find out where the source lies in the space of the target, for misfit's distances; nowhere, if the model is posed.

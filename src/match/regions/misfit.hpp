@@ -71,7 +71,9 @@ class Misfit {
   /// (sigma): below 1 is good, above 3 bad. @pre uses_lengths().
   [[nodiscard]] double length_error(Candidate pair) const;
   [[nodiscard]] std::uint32_t disagreeing_corners(Candidate pair) const;
-  /// 0 for a perfect pair; above kUnmatched it is better to leave the face unmatched.
+  /// Corners where both meshes have an extraordinary vertex of the same code.
+  [[nodiscard]] std::uint32_t telling_corners(Candidate pair) const;
+  /// 0 for a perfect pair, less for a telling one; above kUnmatched it is better to leave the face unmatched.
   [[nodiscard]] double cost(Candidate pair) const;
   /// What a source face costs as it lies now. Kept until the face or the costs change.
   [[nodiscard]] double present_cost(const Patchwork& patchwork, FaceId source_face);

@@ -2,7 +2,9 @@
 // that look alike.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #define XXH_INLINE_ALL
@@ -11,6 +13,7 @@
 #include "likelihood.hpp"
 #include "mending.hpp"
 #include "trial.hpp"
+#include "venture.hpp"
 
 namespace quadmatch::regions {
 namespace {
@@ -91,7 +94,10 @@ std::vector<Class> rarest_first(const std::vector<Look>& left, const std::vector
 class Restarts {
  public:
   explicit Restarts(Workbench& bench)
-      : bench_(bench), likelihood_(bench), budget_(kBudget * bench.sides.source.mesh.face_count()) {}
+      : bench_(bench),
+        likelihood_(bench),
+        venture_(bench, likelihood_),
+        budget_(kBudget * bench.sides.source.mesh.face_count()) {}
 
   std::size_t match() {
     const std::size_t before = bench_.patchwork.matched_faces();
@@ -101,11 +107,21 @@ class Restarts {
   }
 
  private:
+  /// Once something is matched the true partner of what is left free is surely among what is left free: chance has no
+  /// other places to begin in.
+  [[nodiscard]] double needed_for(std::size_t left, std::size_t right) const {
+    constexpr double kFactor = 1.3;
+    const double needed = likelihood_.needed_for_trial();
+    const bool knows_something = 10 * bench_.patchwork.matched_faces() > source_.face_count();
+    if (bench_.misfit.uses_lengths() || !knows_something) return needed;
+    return std::min(needed, kFactor * (std::log1p(static_cast<double>(left)) + std::log1p(static_cast<double>(right))));
+  }
   void try_looks(bool far) {
     const std::vector<Look> left =
         looks(bench_.sides.source, far, [&](FaceId f) { return !bench_.patchwork.is_matched(f); });
     const std::vector<Look> right =
         looks(bench_.sides.target, far, [&](FaceId f) { return !bench_.patchwork.is_taken(f); });
+    needed_ = needed_for(left.size(), right.size());
     for (const Class& alike : rarest_first(left, right)) {
       std::size_t tried = 0;
       for (std::size_t i = alike.source; i < alike.source_end && tried < kMostPerLook; ++i) {
@@ -123,9 +139,10 @@ class Restarts {
     std::size_t partners = 0;
     for (std::size_t j = alike.target; j < alike.target_end && partners < kMostPartners; ++j) {
       const Candidate pair{s, right[j].halfedge};
-      if (!grow_trial(bench_, pair, {.most_faces = kTrialFaces})) continue;
+      const std::optional<double> tried = worth_of_trial(pair);
+      if (!tried) continue;
       ++partners;
-      const double worth_now = likelihood_.of(bench_.ghost.pairs());
+      const double worth_now = *tried;
       spent_ += bench_.ghost.pairs().size();
       if (worth_now > worth) {
         next_worth = worth;
@@ -136,15 +153,33 @@ class Restarts {
       }
       if (spent_ > budget_) return false;
     }
-    if (worth >= likelihood_.needed_for_trial() && worth >= next_worth + kMargin) {
-      grow_trial(bench_, best, {.most_faces = source_.face_count()});
-      keep_trial(bench_);
-    }
+    if (worth >= needed_ && worth >= next_worth + kMargin) keep(best);
     return true;
+  }
+  /// Leaves the trial in the ghost. Without lengths it dares more, since corners alone seldom tell enough before the
+  /// next edit. @return nothing if the pair does not fit.
+  [[nodiscard]] std::optional<double> worth_of_trial(Candidate pair) {
+    if (bench_.misfit.uses_lengths()) {
+      if (!grow_trial(bench_, pair, {.most_faces = kTrialFaces})) return {};
+      return likelihood_.of(bench_.ghost.pairs());
+    }
+    if (venture_.from_seed(pair, kTrialFaces).empty()) return {};
+    return venture_.worth();
+  }
+  void keep(Candidate seed) {
+    if (bench_.misfit.uses_lengths()) {
+      grow_trial(bench_, seed, {.most_faces = source_.face_count()});
+      keep_trial(bench_);
+      return;
+    }
+    const std::uint32_t region = bench_.patchwork.fresh_region();
+    for (const Candidate& pair : venture_.from_seed(seed, source_.face_count())) bench_.patchwork.lay(pair, region);
   }
 
   Workbench& bench_;
   Likelihood likelihood_;
+  Venture venture_;
+  double needed_ = 0;
   const Mesh& source_ = bench_.sides.source.mesh;
   std::size_t budget_, spent_ = 0;
 };

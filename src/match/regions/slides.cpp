@@ -1,5 +1,6 @@
 // Slides: a ring matched one step round is as sound as the right one, and only lengths tell. Where faces fit badly, the
-// map moved by one quad in each direction is offered.
+// map moved by one quad in each direction is offered. Without lengths that is done where corners disagree: one quad on,
+// an extraordinary vertex may lie on one of the same code.
 
 #include <cstdint>
 #include <vector>
@@ -13,7 +14,11 @@ namespace {
 constexpr double kBad = 3.0;   // in sigma
 constexpr double kNear = 0.3;  // in edges
 /// A shift is tried where it lets the error about a face fall to this share.
-constexpr double kFalls = 0.8;
+constexpr double kFalls = 0.8, kFallsWithoutLengths = 0.7;
+/// Without lengths: what the sum of all costs must fall by, so that not every extraordinary vertex that an edit made is
+/// reason enough to tear a region apart; and what a corner counts where both are extraordinary and agree, when one that
+/// disagrees counts 1.
+constexpr double kLeastGain = 6.0, kTelling = 2.0;
 
 class Slides {
  public:
@@ -37,35 +42,41 @@ class Slides {
   [[nodiscard]] bool is_bad(HalfedgeId entry) const {
     if (!bench_.patchwork.is_matched(source_.face(entry))) return false;
     const Candidate pair{entry, bench_.patchwork.image(entry)};
+    if (!bench_.misfit.uses_lengths()) return bench_.misfit.disagreeing_corners(pair) > 0;
     if (bench_.misfit.length_error(pair) <= kBad) return false;
     return !bench_.misfit.is_placed() || bench_.misfit.distance(pair) > kNear;
   }
   [[nodiscard]] std::vector<Candidate> better_shifts(HalfedgeId entry) const {
     const Candidate now{entry, bench_.patchwork.image(entry)};
-    const double error = error_about(now);
+    const double enough = falls_ * error_about(now);
     std::vector<Candidate> shifts;
     HalfedgeId s = now.source, t = now.target;
     do {
       const HalfedgeId beyond = target_.twin(t);
       if (beyond.valid() && target_.size(target_.face(beyond)) == 4 && source_.size(source_.face(s)) == 4) {
         const Candidate shifted{s, target_.next(target_.next(beyond))};
-        if (error_about(shifted) < kFalls * error) shifts.push_back(shifted);
+        if (error_about(shifted) < enough) shifts.push_back(shifted);
       }
       s = source_.next(s);
       t = target_.next(t);
     } while (s != now.source);
     return shifts;
   }
+  /// Of lengths; or of corners, raised so that it is positive almost everywhere.
+  [[nodiscard]] double error_of(Candidate pair) const {
+    if (bench_.misfit.uses_lengths()) return bench_.misfit.length_error(pair);
+    return 4.0 + bench_.misfit.disagreeing_corners(pair) - kTelling * bench_.misfit.telling_corners(pair);
+  }
   /// The mean error of a pair and of those beside it.
   [[nodiscard]] double error_about(Candidate pair) const {
-    double sum = bench_.misfit.length_error(pair);
+    double sum = error_of(pair);
     int count = 1;
     auto [s, t] = pair;
     do {
       const Candidate beside{source_.twin(s), target_.twin(t)};
       if (beside.source.valid() && beside.target.valid() &&
           source_.size(source_.face(beside.source)) == target_.size(target_.face(beside.target))) {
-        sum += bench_.misfit.length_error(beside);
+        sum += error_of(beside);
         ++count;
       }
       s = source_.next(s);
@@ -77,12 +88,13 @@ class Slides {
     if (!extend_seed(bench_, seed, kSeedFaces)) return 0;
     for (const Candidate& pair : bench_.ghost.pairs()) tried_[source_.face(pair.source)] = true;
     spent_ += kSeedCost + bench_.ghost.pairs().size();
-    return expand(bench_, bench_.patchwork.fresh_region());
+    return expand(bench_, bench_.patchwork.fresh_region(), bench_.misfit.uses_lengths() ? 0 : kLeastGain);
   }
 
   Workbench& bench_;
   const Mesh& source_ = bench_.sides.source.mesh;
   const Mesh& target_ = bench_.sides.target.mesh;
+  double falls_ = bench_.misfit.uses_lengths() ? kFalls : kFallsWithoutLengths;
   PerFace<bool> tried_;
   std::size_t budget_ = kSeedsBudget * source_.face_count(), spent_ = 0;
 };
@@ -90,7 +102,6 @@ class Slides {
 }  // namespace
 
 std::size_t undo_slides(Workbench& bench) {
-  if (!bench.misfit.uses_lengths()) return 0;
   const std::size_t changed = Slides(bench).undo();
   bench.ghost.restart();
   return changed;

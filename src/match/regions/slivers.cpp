@@ -8,7 +8,9 @@
 namespace quadmatch::regions {
 namespace {
 
-constexpr double kLeastWorth = 1.0;
+/// What a face must be worth. Without lengths nothing but its neighbours can speak for it, and corners beside an edit
+/// speak against it: one neighbour and two such corners are enough.
+constexpr double kLeastWorth = 1.0, kLeastWithoutLengths = 0.5;
 
 /// An unmatched face beside matched ones, laid where a neighbour says.
 struct Proposal {
@@ -23,7 +25,8 @@ struct Proposal {
 
 class Slivers {
  public:
-  explicit Slivers(Workbench& bench) : bench_(bench) {}
+  Slivers(Workbench& bench, bool generous)
+      : bench_(bench), least_worth_(generous && !bench.misfit.uses_lengths() ? kLeastWithoutLengths : kLeastWorth) {}
 
   std::size_t match() {
     const std::size_t before = patchwork_.matched_faces();
@@ -37,7 +40,7 @@ class Slivers {
       if (!is_free(best.pair)) continue;
       const double worth = worth_of(best.pair);
       if (worth < best.worth) {  // a neighbour has since been laid elsewhere
-        if (worth >= kLeastWorth) proposals_.push({worth, best.number, best.pair});
+        if (worth >= least_worth_) proposals_.push({worth, best.number, best.pair});
         continue;
       }
       patchwork_.lay(best.pair, region_for(best.pair));
@@ -56,7 +59,7 @@ class Slivers {
       const Candidate beyond{source_.twin(s), target_.twin(t)};
       if (beyond.source.valid() && beyond.target.valid() && is_free(beyond) &&
           source_.size(source_.face(beyond.source)) == target_.size(target_.face(beyond.target))) {
-        if (const double worth = worth_of(beyond); worth >= kLeastWorth) proposals_.push({worth, count_++, beyond});
+        if (const double worth = worth_of(beyond); worth >= least_worth_) proposals_.push({worth, count_++, beyond});
       }
       s = source_.next(s);
       t = target_.next(t);
@@ -98,6 +101,7 @@ class Slivers {
   }
 
   Workbench& bench_;
+  double least_worth_;
   Patchwork& patchwork_ = bench_.patchwork;
   const Mesh& source_ = bench_.sides.source.mesh;
   const Mesh& target_ = bench_.sides.target.mesh;
@@ -107,6 +111,6 @@ class Slivers {
 
 }  // namespace
 
-std::size_t match_slivers(Workbench& bench) { return Slivers(bench).match(); }
+std::size_t match_slivers(Workbench& bench, bool generous) { return Slivers(bench, generous).match(); }
 
 }  // namespace quadmatch::regions
