@@ -60,6 +60,7 @@ TEST_CASE("a minimum cut gives the cheapest of all answers, on a thousand small 
     double least = problem.cost(0);
     for (std::uint32_t other = 1; other < 1U << problem.count; ++other) least = std::min(least, problem.cost(other));
     CHECK(problem.cost(answers) == doctest::Approx(least));
+    CHECK(cut.gain(found) == doctest::Approx(problem.cost(0) - least));
   }
 }
 

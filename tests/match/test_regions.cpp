@@ -1,6 +1,7 @@
 // Algorithm::Regions: what it promises beyond the paper's algorithms.
 
 #include <algorithm>
+#include <cmath>
 
 #include <quadmatch/match/matcher.hpp>
 #include <quadmatch/shapes/bear.hpp>
@@ -64,6 +65,7 @@ TEST_CASE("regions: every match of two meshes of the zoo is sound, whichever sta
                                     {.seams = false},
                                     {.ties = false, .slides = false},
                                     {.slivers = false, .islands = false},
+                                    {.ventures = false},
                                     {.equal_parts = false, .restarts = false, .acceptance = false, .doubts = false}};
   for (const auto& [name, soup] : zoo) {
     for (const auto& [other_name, other_soup] : zoo) {
@@ -251,6 +253,33 @@ TEST_CASE("regions: with positions switched off they are never looked at") {
   const Match other = judged(source, test::build(scrambled), options);
   REQUIRE(plain.regions.size() == other.regions.size());
   for (std::size_t k = 0; k < plain.regions.size(); ++k) CHECK(plain.regions[k].faces == other.regions[k].faces);
+}
+
+TEST_CASE("regions: with positions off, bent, turned and scrambled copies of an edit are matched alike") {
+  // A bear with a dozen edits, so that much is left to the stages that mend.
+  const PolygonSoup bear = shapes::bear().soup;
+  shapes::Edit edit = take(shapes::insert_edge_loop(bear, HalfedgeId(401)));
+  for (std::uint32_t k = 1; k <= 12; ++k) {
+    const FaceId centre(k * 7919 % static_cast<std::uint32_t>(edit.soup.corners.size() / 4));
+    auto next =
+        k % 2 == 0 ? shapes::delete_patch(edit.soup, centre, 4) : shapes::extrude_patch(edit.soup, centre, 4, 1.0);
+    if (next.has_value()) edit = *std::move(next);
+  }
+  using Move = Point (*)(const Point&);
+  const Move bent = [](const Point& p) { return Point{p[0] + 0.1 * p[1] * p[1], p[1], p[2] - 0.2 * p[0] * p[0]}; };
+  const Move turned = [](const Point& p) { return Point{p[2] + 3, p[0], 2 * p[1]}; };
+  const Move scrambled = [](const Point& p) { return Point{std::sin(91 * p[0]), std::sin(97 * p[1]), std::cos(p[2])}; };
+  const Mesh source = test::build(bear);
+  const MatchOptions options{.positions = false};
+  const Match plain = judged(source, test::build(edit.soup), options);
+  CHECK(2 * plain.matched_faces() > source.face_count());
+  for (const Move move : {bent, turned, scrambled}) {
+    PolygonSoup moved = edit.soup;
+    for (Point& p : moved.positions) p = move(p);
+    const Match other = judged(source, test::build(moved), options);
+    REQUIRE(plain.regions.size() == other.regions.size());
+    for (std::size_t k = 0; k < plain.regions.size(); ++k) CHECK(plain.regions[k].faces == other.regions[k].faces);
+  }
 }
 
 TEST_CASE("regions: a mirror image is matched the way its shape says, even where either way would do") {
