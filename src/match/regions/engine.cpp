@@ -112,6 +112,7 @@ class Engine {
       if (leaves_little() || !start_again()) break;
       mend();
     }
+    if (misfit_.is_stretched() && report()) mend();  // by now more is known of how
     if (stages_.acceptance) drop_unlikely(bench_);
     if (stages_.doubts && report()) doubts_ = set_doubts_apart(bench_);
   }

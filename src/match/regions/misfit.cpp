@@ -9,14 +9,14 @@ namespace {
 /// Lengths say nothing where even the better half of the matched faces differ by a third.
 constexpr double kUseless = 0.35;
 constexpr double kLeastSigma = 0.02;
+/// Sigma, by the mean error about a face.
+constexpr double kLocalSigma = 1.5;
+/// Lengths that differ by less are those of a model that was not posed.
+constexpr double kStill = 0.01;
+/// A stretch that differs from place to place is believed if it lets the usual error fall to this share.
+constexpr double kClearly = 0.9;
 /// What an edge's length of distance costs: enough to decide between equals, and no more.
 constexpr double kAway = 0.04;
-
-float log_distance(const Point& a, const Point& b) {
-  const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-  constexpr double kTiny = 1e-30, kVast = 1e30;  // two vertices in one place, and what is beyond all sense
-  return 0.5F * std::log(static_cast<float>(std::clamp(x * x + y * y + z * z, kTiny, kVast)));
-}
 
 /// The value that a share of the numbers stay below; reorders them. @pre not empty.
 template <class Number>
@@ -60,26 +60,6 @@ PerFace<Point> middles_of(const Mesh& mesh) {
 
 }  // namespace
 
-Lengths::Lengths(const Mesh& mesh) : at_(mesh.halfedge_count()) {
-  const std::span<const Point> positions = mesh.positions();
-  for (std::uint32_t number = 0; number < mesh.halfedge_count(); ++number) {
-    const HalfedgeId h(number), next = mesh.next(h), twin = mesh.twin(h);
-    const Point& here = positions[mesh.origin(h).value];
-    at_[h].edge = twin < h ? at_[twin].edge : log_distance(here, positions[mesh.origin(next).value]);
-    // A quad's second half of the diagonals is its first from the other end.
-    const HalfedgeId opposite = mesh.next(next);
-    const bool known = opposite < h && mesh.next(mesh.next(opposite)) == h;
-    at_[h].diagonal = known ? at_[opposite].diagonal : log_distance(here, positions[mesh.origin(opposite).value]);
-  }
-}
-
-float Lengths::median_edge() const {
-  std::vector<float> lengths;
-  lengths.reserve(at_.size());
-  for (const Pair& pair : at_) lengths.push_back(pair.edge);
-  return quantile(lengths, 0.5);
-}
-
 Misfit::Misfit(const Sides& sides, bool with_positions) : sides_(sides), with_positions_(with_positions) {
   if (sides.source.mesh.positions().empty() || sides.target.mesh.positions().empty()) with_positions_ = false;
 }
@@ -99,22 +79,23 @@ void Misfit::pin(std::vector<Candidate> pairs) {
   pins_ = std::move(pairs);
 }
 
-void Misfit::assume() {
+void Misfit::assume(double sigma) {
   ++costs_known_;
-  constexpr double kUsualSigma = 0.1;
   uses_lengths_ = load_lengths();
   learnt_ = false;
   if (!uses_lengths_) return;
+  stretched_.reset();
   scale_ = lengths_[1].median_edge() - lengths_[0].median_edge();
-  sigma_ = kUsualSigma;
+  sigma_ = sigma;
 }
 
 void Misfit::calibrate(const Patchwork& patchwork) {
   ++costs_known_;
   uses_lengths_ = false;
   if (patchwork.matched_faces() == 0 || !load_lengths()) return;
+  stretched_.reset();
   const std::vector<Candidate> sample = sample_of(sides_.source.mesh, patchwork);
-  std::vector<double> ratios, errors;
+  std::vector<double> ratios;
   for (const Candidate& pair : sample) {
     const std::uint32_t size = sides_.source.mesh.size(sides_.source.mesh.face(pair.source));
     double ratio = 0;
@@ -127,14 +108,35 @@ void Misfit::calibrate(const Patchwork& patchwork) {
     ratios.push_back(ratio / size);
   }
   scale_ = quantile(ratios, 0.5);
-  for (const Candidate& pair : sample) errors.push_back(raw_error(pair));
-  const double lower = quantile(errors, 0.25);
-  const double middle = quantile(errors, 0.5);
-  uses_lengths_ = learnt_ = lower < kUseless;
-  sigma_ = std::max(kLeastSigma, 1.5 * std::min(middle, 2 * lower));
+  Spread spread = spread_of(sample);
+  uses_lengths_ = learnt_ = spread.lower < kUseless;
+  sigma_ = sigma_far_ = sigma_of(spread);
+  if (spread.middle <= kStill) return;
+  stretched_ = stretched(sides_, patchwork, lengths_[0], lengths_[1], scale_);
+  const Spread near = spread_of(sample);
+  if (near.middle > kClearly * spread.middle) {
+    stretched_.reset();
+    return;
+  }
+  uses_lengths_ = learnt_ = near.lower < kUseless;
+  sigma_ = sigma_of(near);
+  sigma_far_ = std::max(sigma_, sigma_far_);
 }
 
-double Misfit::raw_error(Candidate pair) const {
+double Misfit::sigma_of(const Spread& spread) {
+  return std::max(kLeastSigma, 1.5 * std::min(spread.middle, 2 * spread.lower));
+}
+
+Misfit::Spread Misfit::spread_of(const std::vector<Candidate>& sample) const {
+  std::vector<double> errors;
+  errors.reserve(sample.size());
+  for (const Candidate& pair : sample)
+    errors.push_back(raw_error(pair, stretched_ ? stretched_->lengths : lengths_[0]));
+  const double lower = quantile(errors, 0.25);
+  return {lower, quantile(errors, 0.5)};
+}
+
+double Misfit::raw_error(Candidate pair, const Lengths& ours) const {
   const Mesh& source = sides_.source.mesh;
   const Mesh& target = sides_.target.mesh;
   const bool has_diagonals = source.size(source.face(pair.source)) > 3;
@@ -142,11 +144,11 @@ double Misfit::raw_error(Candidate pair) const {
   int terms = 0;
   auto [s, t] = pair;
   do {
-    const double edge = lengths_[1].edge(t) - lengths_[0].edge(s) - scale_;
+    const double edge = lengths_[1].edge(t) - ours.edge(s) - scale_;
     sum += edge * edge;
     ++terms;
     if (has_diagonals) {
-      const double diagonal = lengths_[1].diagonal(t) - lengths_[0].diagonal(s) - scale_;
+      const double diagonal = lengths_[1].diagonal(t) - ours.diagonal(s) - scale_;
       sum += 0.5 * diagonal * diagonal;  // a quad's are met from both ends
     }
     s = source.next(s);
@@ -155,7 +157,19 @@ double Misfit::raw_error(Candidate pair) const {
   return std::sqrt(sum / (has_diagonals ? 1.5 * terms : terms));
 }
 
-double Misfit::length_error(Candidate pair) const { return raw_error(pair) / sigma_; }
+double Misfit::length_error(Candidate pair) const {
+  if (!stretched_) return raw_error(pair, lengths_[0]) / sigma_;
+  const FaceId face = sides_.source.mesh.face(pair.source);
+  const double known = stretched_->known[face];
+  const double sigma = std::max(sigma_, kLocalSigma * stretched_->error[face]);
+  return raw_error(pair, stretched_->lengths) / (known * sigma + (1 - known) * sigma_far_);
+}
+
+double Misfit::strict_error(Candidate pair) const {
+  if (!stretched_) return length_error(pair);
+  const double known = stretched_->known[sides_.source.mesh.face(pair.source)];
+  return raw_error(pair, stretched_->lengths) / (known * sigma_ + (1 - known) * sigma_far_);
+}
 
 std::uint32_t Misfit::disagreeing_corners(Candidate pair) const {
   std::uint32_t disagreeing = 0;

@@ -5,29 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "lengths.hpp"
 #include "patchwork.hpp"
 #include "similarity.hpp"
+#include "strain.hpp"
 
 namespace quadmatch::regions {
-
-/// Logarithms of the lengths of edges and diagonals of one mesh.
-class Lengths {
- public:
-  explicit Lengths(const Mesh& mesh);
-
-  /// From the corner that h leaves, along its edge.
-  [[nodiscard]] float edge(HalfedgeId h) const { return at_[h].edge; }
-  /// From the corner that h leaves to the one after the next.
-  [[nodiscard]] float diagonal(HalfedgeId h) const { return at_[h].diagonal; }
-  /// The median over all half-edges. @pre there are some
-  [[nodiscard]] float median_edge() const;
-
- private:
-  struct Pair {
-    float edge = 0, diagonal = 0;  // side by side: they are asked for together
-  };
-  PerHalfedge<Pair> at_;
-};
 
 /// What it costs to lay a face on another, to leave it unmatched, and to let two regions meet: the terms of the sum
 /// that the later stages make small.
@@ -42,7 +25,8 @@ class Misfit {
   Misfit(const Sides& sides, bool with_positions);
 
   /// Take lengths as they come, where nothing is matched yet to learn from: both models of one size, but for a scale.
-  void assume();
+  /// @param sigma  how far lengths may usually differ.
+  void assume(double sigma = 0.1);
   /// Learn from what is matched how far lengths differ where faces are the same; they are used only where that says
   /// something.
   void calibrate(const Patchwork& patchwork);
@@ -67,9 +51,14 @@ class Misfit {
   [[nodiscard]] bool uses_lengths() const { return uses_lengths_; }
   /// Were they learnt from what is matched, and not only assumed?
   [[nodiscard]] bool trusts_lengths() const { return uses_lengths_ && learnt_; }
+  /// Is the source posed, and are its lengths stretched accordingly?
+  [[nodiscard]] bool is_stretched() const { return stretched_.has_value(); }
   /// The root mean square of the differences of log lengths over edges and diagonals, in units of what is usual
   /// (sigma): below 1 is good, above 3 bad. @pre uses_lengths().
   [[nodiscard]] double length_error(Candidate pair) const;
+  /// The same in units of what is usual in the whole model, even where a stretched one fits worse all around: wrong
+  /// pairs side by side must not excuse each other. @pre uses_lengths().
+  [[nodiscard]] double strict_error(Candidate pair) const;
   [[nodiscard]] std::uint32_t disagreeing_corners(Candidate pair) const;
   /// Corners where both meshes have an extraordinary vertex of the same code.
   [[nodiscard]] std::uint32_t telling_corners(Candidate pair) const;
@@ -85,17 +74,25 @@ class Misfit {
     std::uint32_t costs = 0;
     double cost = 0;
   };
-  [[nodiscard]] double raw_error(Candidate pair) const;
+  /// Errors below which a quarter and half of the pairs are.
+  struct Spread {
+    double lower, middle;
+  };
+  [[nodiscard]] static double sigma_of(const Spread& spread);
+  [[nodiscard]] Spread spread_of(const std::vector<Candidate>& sample) const;
+  [[nodiscard]] double raw_error(Candidate pair, const Lengths& ours) const;
   [[nodiscard]] bool load_lengths();
   [[nodiscard]] double cost_by_pins(Candidate pair) const;
 
   const Sides& sides_;
   bool with_positions_;
-  std::vector<Lengths> lengths_;  // source and target, once they are asked for
+  std::vector<Lengths> lengths_;        // source and target, once they are asked for
+  std::optional<Stretched> stretched_;  // the source, if it was posed
   bool uses_lengths_ = false;
   bool learnt_ = false;
-  double scale_ = 0.0;  // log of target size by source size
-  double sigma_ = 1.0;
+  double scale_ = 0.0;      // log of target size by source size
+  double sigma_ = 1.0;      // what errors are usual
+  double sigma_far_ = 1.0;  // the same where nobody knows the stretch
   std::vector<Candidate> pins_;
   std::optional<Similarity> placement_;
   PerFace<Point> placed_middles_, target_middles_;  // of faces, where the source is placed

@@ -1,4 +1,4 @@
-// The one source file that includes Eigen.
+// Beside strain.cpp the one source file that includes Eigen.
 
 #include "placement.hpp"
 
