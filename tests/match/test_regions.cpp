@@ -333,6 +333,31 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("regions: a piece cut out of a regular sheet is found by its lengths, posed or not") {
+  constexpr std::uint32_t kSheet = 24, kPiece = 14, kFrom = 6;
+  const auto place = [](std::uint32_t i, std::uint32_t j, double bent) {
+    const double x = i + 0.7 * std::sin(1.3 * i) * std::cos(0.4 * j), y = j + 0.7 * std::sin(0.9 * j + 0.5 * i);
+    return bent > 0 ? Point{std::sin(bent * x) / bent, y, (1 - std::cos(bent * x)) / bent} : Point{x, y, 0};
+  };
+  PolygonSoup sheet = shapes::grid(kSheet, kSheet), piece = shapes::grid(kPiece, kPiece);
+  for (std::uint32_t v = 0; v < sheet.positions.size(); ++v) {
+    sheet.positions[v] = place(v % (kSheet + 1), v / (kSheet + 1), 0.05);
+  }
+  for (std::uint32_t v = 0; v < piece.positions.size(); ++v) {
+    piece.positions[v] = place(v % (kPiece + 1) + kFrom, v / (kPiece + 1) + kFrom, 0);
+  }
+  // Lengths are learnt from a bear, which is posed as well: neither lies as it did.
+  const PolygonSoup bear = shapes::bear().soup;
+  const auto bears = static_cast<std::uint32_t>(test::build(bear).face_count());
+  std::vector<FacePair> truth;
+  for (std::uint32_t f = 0; f < kPiece * kPiece; ++f) {
+    truth.push_back({FaceId(bears + f), FaceId(bears + (f / kPiece + kFrom) * kSheet + f % kPiece + kFrom), 0});
+  }
+  const Mesh source = test::build(shapes::disjoint_union({bear, piece}));
+  const Mesh target = test::build(shapes::disjoint_union({twisted(bear), sheet}));
+  CHECK(recall(judged(source, target), truth) == 1.0);
+}
+
 TEST_CASE("regions: what the user leaves out is left out") {
   const PolygonSoup pieces = shapes::disjoint_union({shapes::sphere(4), shapes::prism(3), shapes::grid(2, 2)});
   const Mesh mesh = test::build(pieces);

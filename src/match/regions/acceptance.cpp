@@ -22,7 +22,7 @@ struct Testimony {
 class Judge {
  public:
   explicit Judge(Workbench& bench)
-      : bench_(bench), likelihood_(bench), believed_(bench.patchwork.region_count(), false) {}
+      : bench_(bench), likelihood_(bench, true), believed_(bench.patchwork.region_count(), false) {}
 
   void believe(std::uint32_t region) { believed_[region] = true; }
   /// By its own evidence and what believed regions say of it.

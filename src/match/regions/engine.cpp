@@ -151,10 +151,16 @@ class Engine {
   [[nodiscard]] bool leaves_little() const { return 1000 * patchwork_.matched_faces() >= 985ULL * most_faces(); }
 
   bool start_again() {
-    if (restart(bench_) > 0) return true;
-    if (patchwork_.matched_faces() > 0) return false;
-    misfit_.assume();  // there is nothing to learn lengths from, and nothing to lose
-    return restart(bench_) > 0;
+    const std::size_t before = patchwork_.matched_faces();
+    restart(bench_);
+    match_lookalikes(bench_);
+    if (patchwork_.matched_faces() > before) return true;
+    if (before > 0) return false;
+    for (const double sigma : {0.1, 0.2}) {  // there is nothing to learn lengths from, and nothing to lose
+      misfit_.assume(sigma);
+      if (restart(bench_) > 0) return true;
+    }
+    return false;
   }
 
   [[nodiscard]] PieceOfRegion piece_of_region(const std::vector<Piece>& pieces) const {

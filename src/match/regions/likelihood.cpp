@@ -1,6 +1,7 @@
 #include "likelihood.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -9,10 +10,15 @@ namespace {
 
 /// How often a vertex of a true pair has the same code, edits considered.
 constexpr double kAgrees = 0.9;
-/// How often lengths of a true pair fit within sigma, and how often they are beyond three.
-constexpr double kFits = 0.7, kMisfits = 0.1;
+/// How often lengths of a true pair fit within one, two and three sigma, and how often they are beyond.
+constexpr std::array<double, 4> kTrueErrors = {0.6, 0.2, 0.1, 0.1};
+/// Trials take no face whose lengths fit worse, in sigma. Where lengths are merely assumed, chance is what passes this.
+constexpr double kGate = 4.0;
 /// One face says no more than this: its neighbours say nearly the same.
 constexpr double kMostByLengths = 1.5;
+/// Smooth models fit by chance in whole patches: where lengths are merely assumed so much of what each face says is
+/// what its neighbours have said.
+constexpr double kHabit = 1.0;
 /// What a face says that lands on its image, with the source placed as a whole; nothing if it does not: it may have
 /// been moved.
 constexpr double kLands = 2.0, kNear = 0.3;
@@ -33,9 +39,10 @@ std::vector<double> share_of_codes(const Side& side) {
 
 }  // namespace
 
-Likelihood::Likelihood(const Workbench& bench) : bench_(bench), seen_(bench.sides.source.mesh.vertex_count(), 0) {
+Likelihood::Likelihood(const Workbench& bench, bool judges)
+    : bench_(bench), judges_(judges), seen_(bench.sides.source.mesh.vertex_count(), 0) {
   learn_codes();
-  if (bench.misfit.trusts_lengths()) learn_lengths();
+  if (bench.misfit.uses_lengths()) learn_lengths();
   log_places_ =
       0.5 * (std::log(bench.sides.source.mesh.halfedge_count()) + std::log(bench.sides.target.mesh.halfedge_count()));
 }
@@ -60,45 +67,68 @@ void Likelihood::learn_codes() {
 void Likelihood::learn_lengths() {
   const Mesh& source = bench_.sides.source.mesh;
   const Mesh& target = bench_.sides.target.mesh;
-  constexpr std::uint32_t kSamples = 1000;
-  double tried = 1, fit = 0, misfit = 0;
+  constexpr std::uint32_t kSamples = 4000;
+  double tried = 0;
+  std::array<double, kTrueErrors.size()> count{};
   for (std::uint32_t k = 0; k < kSamples; ++k) {
     const auto pick = [k](const Mesh& mesh, std::uint64_t stride) {
       return mesh.first(FaceId(static_cast<std::uint32_t>((k + 1) * stride % mesh.face_count())));
     };
     const Candidate pair{pick(source, 7919), pick(target, 104729)};
     if (source.size(source.face(pair.source)) != target.size(target.face(pair.target))) continue;
-    const double error = bench_.misfit.length_error(pair);
+    const double error = error_of(pair);
+    if (error > kGate && !bench_.misfit.trusts_lengths()) continue;
     ++tried;
-    fit += error < 1;
-    misfit += error > 3;
+    ++count[error_class(error)];
   }
-  const auto share = [tried](double count) { return std::max(count / tried, 1e-3); };
-  fits_ = std::clamp(std::log(kFits / share(fit)), 0.0, kMostByLengths);
-  misfits_ = std::clamp(std::log(kMisfits / share(misfit)), -kMostByLengths, 0.0);
+  for (std::size_t k = 0; k < count.size(); ++k) {
+    const double share = std::max((count[k] + 1) / (tried + 4), 1e-3);
+    double says = std::log(kTrueErrors[k] / share);
+    if (!bench_.misfit.trusts_lengths() && says > 0) says = std::max(0.0, says - kHabit);
+    by_error_[k] = std::clamp(says, -kMostByLengths, kMostByLengths);
+  }
+}
+
+double Likelihood::error_of(const Candidate& pair) const {
+  return judges_ ? bench_.misfit.strict_error(pair) : bench_.misfit.length_error(pair);
+}
+
+std::size_t Likelihood::error_class(double error) {
+  return static_cast<std::size_t>(std::clamp(error, 0.0, kTrueErrors.size() - 0.5));
 }
 
 double Likelihood::of(std::span<const Candidate> pairs) {
   ++now_;
+  double sum = 0;
+  for (const Candidate& pair : pairs) sum += of_next(pair);
+  return sum;
+}
+
+double Likelihood::of_best_start(std::span<const Candidate> pairs) {
+  ++now_;
+  double sum = 0, best = 0;
+  for (const Candidate& pair : pairs) {
+    sum += of_next(pair);
+    best = std::max(best, sum);
+  }
+  return best;
+}
+
+double Likelihood::of_next(const Candidate& pair) {
   const Mesh& source = bench_.sides.source.mesh;
   const Mesh& target = bench_.sides.target.mesh;
   double sum = 0;
-  for (const Candidate& pair : pairs) {
-    if (bench_.misfit.trusts_lengths()) {
-      const double error = bench_.misfit.length_error(pair);
-      sum += error < 1 ? fits_ : error > 3 ? misfits_ : 0;
+  if (bench_.misfit.uses_lengths()) sum += by_error_[error_class(error_of(pair))];
+  if (bench_.misfit.is_placed() && bench_.misfit.distance(pair) < kNear) sum += kLands;
+  auto [s, t] = pair;
+  do {
+    if (std::exchange(seen_[source.origin(s)], now_) != now_) {
+      const VertexCode code = bench_.sides.source.code(source.origin(s));
+      sum += code == bench_.sides.target.code(target.origin(t)) ? agrees_[code.value] : disagrees_;
     }
-    if (bench_.misfit.is_placed() && bench_.misfit.distance(pair) < kNear) sum += kLands;
-    auto [s, t] = pair;
-    do {
-      if (std::exchange(seen_[source.origin(s)], now_) != now_) {
-        const VertexCode code = bench_.sides.source.code(source.origin(s));
-        sum += code == bench_.sides.target.code(target.origin(t)) ? agrees_[code.value] : disagrees_;
-      }
-      s = source.next(s);
-      t = target.next(t);
-    } while (s != pair.source);
-  }
+    s = source.next(s);
+    t = target.next(t);
+  } while (s != pair.source);
   return sum;
 }
 

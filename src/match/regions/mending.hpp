@@ -69,6 +69,10 @@ std::size_t settle_ties(Workbench& bench);
 /// @return  faces matched.
 std::size_t restart(Workbench& bench);
 
+/// Lookalikes: where a free part has no rare corner either, try its inner faces where lengths fit best.
+/// @return  faces matched; 0 where lengths were not learnt, or the source is placed as a whole.
+std::size_t match_lookalikes(Workbench& bench);
+
 /// Lift the regions that chance may have brought together. @return faces lifted.
 std::size_t drop_unlikely(Workbench& bench);
 

@@ -161,7 +161,7 @@ class Restarts {
   [[nodiscard]] std::optional<double> worth_of_trial(Candidate pair) {
     if (bench_.misfit.uses_lengths()) {
       if (!grow_trial(bench_, pair, {.most_faces = kTrialFaces})) return {};
-      return likelihood_.of(bench_.ghost.pairs());
+      return likelihood_.of_best_start(bench_.ghost.pairs());
     }
     if (venture_.from_seed(pair, kTrialFaces).empty()) return {};
     return venture_.worth();
