@@ -43,9 +43,10 @@ const std::map<std::string, OrientationChoice> kOrientations{{"auto", Orientatio
                                                              {"preserving", OrientationChoice::Preserving},
                                                              {"reversing", OrientationChoice::Reversing}};
 const std::map<std::string, bool Stages::*> kStages{
-    {"equal-parts", &Stages::equal_parts}, {"seams", &Stages::seams},           {"ties", &Stages::ties},
-    {"slides", &Stages::slides},           {"slivers", &Stages::slivers},       {"islands", &Stages::islands},
-    {"restarts", &Stages::restarts},       {"acceptance", &Stages::acceptance},   {"doubts", &Stages::doubts},
+    {"equal-parts", &Stages::equal_parts}, {"seams", &Stages::seams},       {"ties", &Stages::ties},
+    {"slides", &Stages::slides},           {"ventures", &Stages::ventures}, {"slivers", &Stages::slivers},
+    {"islands", &Stages::islands},         {"restarts", &Stages::restarts}, {"acceptance", &Stages::acceptance},
+    {"doubts", &Stages::doubts},
 };
 
 template <class Choice>
@@ -255,10 +256,9 @@ void add_match_command(CLI::App& program, Action& chosen) {
   verb->add_flag("--arc-lengths", arguments->arc_lengths,
                  "The paper's algorithms: colour by the lengths of skeleton arcs too");
   verb->add_flag("--no-positions", arguments->no_positions, "Connectivity alone: never look at where vertices are");
-  verb->add_option(
-          "--without", arguments->without,
-          "For experiments: leave out stages of regions, of equal-parts, seams, ties, slides, slivers, islands, "
-          "restarts, acceptance, doubts")
+  verb->add_option("--without", arguments->without,
+                   "For experiments: leave out stages of regions, of equal-parts, seams, ties, slides, ventures, "
+                   "slivers, islands, restarts, acceptance, doubts")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(one_of(kStages))
