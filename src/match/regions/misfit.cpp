@@ -12,7 +12,7 @@ constexpr double kLeastSigma = 0.02;
 /// Sigma, by the mean error about a face.
 constexpr double kLocalSigma = 1.5;
 /// Lengths that differ by less are those of a model that was not posed.
-constexpr double kStill = 0.01;
+constexpr double kStill = 0.06;
 /// A stretch that differs from place to place is believed if it lets the usual error fall to this share.
 constexpr double kClearly = 0.9;
 /// What an edge's length of distance costs: enough to decide between equals, and no more.
