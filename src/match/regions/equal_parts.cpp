@@ -1,8 +1,11 @@
 #include "equal_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <tuple>
 #include <unordered_set>
+#include <utility>
 
 namespace quadmatch::regions {
 namespace {
@@ -17,6 +20,13 @@ std::uint64_t mixed(std::uint64_t x) {
   x = (x ^ (x >> 31)) * 0x7fb5d329728ea185U;
   x = (x ^ (x >> 27)) * 0x81dadef4bc2dd44dU;
   return x ^ (x >> 33);
+}
+
+/// Is the nearest much nearer than the next, and that farther than any error? By squares of distances.
+bool is_clear(std::vector<double> distances, double error) {
+  if (distances.size() < 2) return true;
+  std::partial_sort(distances.begin(), distances.begin() + 2, distances.end());
+  return std::max(4 * distances[0], 16 * error * error) < distances[1];
 }
 
 }  // namespace
@@ -155,7 +165,8 @@ bool EqualParts::fills(Candidate seed, const Part& part) {
           }));
 }
 
-/// How well positions like the latest map; 0 where they do not matter.
+/// How well lengths, and where the model as a whole is placed also distances, like the latest map; 0 where they do not
+/// matter.
 double EqualParts::worth_of_map() const {
   double sum = 0;
   for (const Candidate& pair : map_.pairs()) {
@@ -163,6 +174,22 @@ double EqualParts::worth_of_map() const {
     if (bench_.misfit.is_placed()) sum -= std::min(10.0, bench_.misfit.distance(pair));
   }
   return sum / static_cast<double>(map_.pairs().size());
+}
+
+/// How far the latest map brings corners from where the part's surroundings would have them, in sizes of the part: the
+/// last resort for what lengths do not tell.
+double EqualParts::drift_of_map(const Part& part) const {
+  if (!here_ || bench_.misfit.is_placed()) return 0;
+  const Mesh& source = bench_.sides.source.mesh;
+  const Mesh& target = bench_.sides.target.mesh;
+  const Point middle = middle_of(source, part);
+  double off = 0, size = 1e-30;
+  for (const Candidate& pair : map_.pairs()) {
+    const Point& here = source.positions()[source.origin(pair.source).value];
+    off += std::sqrt(squared_distance(here_->similarity(here), target.positions()[target.origin(pair.target).value]));
+    size += std::sqrt(squared_distance(here, middle)) * here_->similarity.scale();
+  }
+  return std::min(2.0, off / size);
 }
 
 /// Positions are looked at where there is a choice, and only then.
@@ -183,7 +210,7 @@ void EqualParts::nearest_first(std::vector<Candidate>& places) const {
   std::vector<std::pair<double, std::size_t>> by_distance;
   for (const auto& [s, t] : places) {
     const auto distance = [&](VertexId v, VertexId w) {
-      return bench_.misfit.distance(source.positions()[v.value], target.positions()[w.value]);
+      return std::sqrt(squared_distance(here_->similarity(source.positions()[v.value]), target.positions()[w.value]));
     };
     by_distance.emplace_back(distance(source.origin(s), target.origin(t)) + distance(source.tip(s), target.tip(t)),
                              by_distance.size());
@@ -196,39 +223,46 @@ void EqualParts::nearest_first(std::vector<Candidate>& places) const {
 }
 
 EqualParts::Laying EqualParts::best_laying(const Part& part, const Part& other) {
-  constexpr double kClear = 0.01;
+  constexpr double kClear = 0.01, kDrift = 0.3;
   const std::size_t budget = kBudget * part.faces + kLeastBudget;
   spent_ = 0;
   Laying laying;
-  double best = 0, worst = 0;
+  double most = 0, chosen = 0, best = 0, worst = 0;
   std::vector<Candidate> places = seeds(part, other);
-  if (places.size() > 1) look_at_positions();
-  if (places.size() > 1 && bench_.misfit.is_placed()) nearest_first(places);
+  here_.reset();
+  if (places.size() > 1) {
+    look_at_positions();
+    here_ = placement_of(part);
+    if (here_) nearest_first(places);
+  }
   for (const Candidate& seed : places) {
     if (laying.ways >= kMostWays || (laying.ways > 0 && spent_ > budget)) break;
     laying.is_latest = false;
     if (!fills(seed, part)) continue;
     const double worth = worth_of_map();
-    if (laying.ways++ == 0 || worth > best) {
+    const double all_told = worth - kDrift * drift_of_map(part);
+    if (laying.ways++ == 0 || all_told > most) {
       laying.seed = seed;
       laying.is_latest = true;
-      best = worth;
+      most = all_told;
+      chosen = worth;
     }
+    best = laying.ways == 1 ? worth : std::max(best, worth);
     worst = laying.ways == 1 ? worth : std::min(worst, worth);
   }
-  laying.by_positions = laying.ways > 1 && best > worst + kClear;
+  laying.by_positions = laying.ways > 1 && best > worst + kClear && chosen > best - kClear;
   return laying;
 }
 
-std::size_t EqualParts::lay(const Part& part, const Part& other, std::uint32_t equals) {
+std::size_t EqualParts::lay(const Part& part, const Part& other, std::uint32_t equals, bool chosen_by_positions) {
   const Laying laying = best_laying(part, other);
   if (laying.ways == 0 || (!laying.is_latest && !fills(laying.seed, part))) return 0;
   const std::uint32_t region = bench_.patchwork.fresh_region();
   for (const Candidate& pair : map_.pairs()) bench_.patchwork.lay(pair, region);
   pieces_.push_back({.pairs = map_.pairs(), .waves = map_.waves()});
   const std::uint32_t ways = laying.ways * equals;
-  const bool placed = equals == 1 || bench_.misfit.is_placed();
-  if (ways > 1) ties_.push_back({part.first_face, ways, placed && (laying.ways == 1 || laying.by_positions)});
+  if (ways > 1)
+    ties_.push_back({part.first_face, ways, chosen_by_positions && (laying.ways == 1 || laying.by_positions)});
   return part.faces;
 }
 
@@ -236,33 +270,55 @@ std::size_t EqualParts::lay_single() {
   std::size_t matched = 0;
   for (const Class& equal : classes_) {
     if (equal.source.size() != 1 || equal.target.size() != 1) continue;
-    matched += lay(source_parts_[equal.source[0]], target_parts_[equal.target[0]], 1);
+    matched += lay(source_parts_[equal.source[0]], target_parts_[equal.target[0]], 1, true);
   }
   return matched;
 }
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> EqualParts::nearest_pairs(const Class& equal) const {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  // All against all is too much for thousands of bolts: those are taken as they come.
+/// Where a source part comes to lie, as far as positions say: with the model as a whole, or as what lies beside it.
+std::optional<LocalPlacement> EqualParts::placement_of(const Part& part) {
+  constexpr std::size_t kMostLooks = 1 << 24;
+  if (bench_.misfit.is_placed()) return LocalPlacement{*bench_.misfit.placement(), 0};
+  if (!bench_.misfit.trusts_lengths() || looked_at_ > kMostLooks) return std::nullopt;
+  looked_at_ += bench_.patchwork.history().size();
+  return local_placement(bench_, middle_of(bench_.sides.source.mesh, part));
+}
+
+EqualParts::Order EqualParts::nearest_pairs(const Class& equal) {
+  // Thousands of bolts are taken as they come.
   constexpr std::size_t kMostDistances = 1 << 20;
-  if (!bench_.misfit.is_placed() || equal.source.size() * equal.target.size() > kMostDistances) {
+  Order order;
+  const bool few = equal.source.size() * equal.target.size() <= kMostDistances;
+  std::vector<LocalPlacement> placements;
+  for (const std::uint32_t i : equal.source) {
+    const std::optional<LocalPlacement> placement = few ? placement_of(source_parts_[i]) : std::nullopt;
+    if (!placement) break;
+    placements.push_back(*placement);
+  }
+  if (placements.size() < equal.source.size()) {
     for (std::size_t k = 0; k < std::min(equal.source.size(), equal.target.size()); ++k) {
-      pairs.emplace_back(equal.source[k], equal.target[k]);
+      order.pairs.emplace_back(equal.source[k], equal.target[k]);
     }
-    return pairs;
+    return order;
   }
   std::vector<Point> middles;
   for (const std::uint32_t j : equal.target) middles.push_back(middle_of(bench_.sides.target.mesh, target_parts_[j]));
+  order.by_positions = true;
   std::vector<std::tuple<double, std::uint32_t, std::uint32_t>> by_distance;
-  for (const std::uint32_t i : equal.source) {
-    const Point middle = middle_of(bench_.sides.source.mesh, source_parts_[i]);
+  for (std::size_t i = 0; i < placements.size(); ++i) {
+    const Point middle = middle_of(bench_.sides.source.mesh, source_parts_[equal.source[i]]);
+    const Point landed = placements[i].similarity(middle);
+    std::vector<double> distances;
     for (std::size_t k = 0; k < middles.size(); ++k) {
-      by_distance.emplace_back(bench_.misfit.distance(middle, middles[k]), i, equal.target[k]);
+      distances.push_back(squared_distance(landed, middles[k]));
+      by_distance.emplace_back(distances.back(), equal.source[i], equal.target[k]);
     }
+    order.by_positions =
+        order.by_positions && (bench_.misfit.is_placed() || is_clear(std::move(distances), placements[i].error));
   }
   std::sort(by_distance.begin(), by_distance.end());
-  for (const auto& [distance, i, j] : by_distance) pairs.emplace_back(i, j);
-  return pairs;
+  for (const auto& [distance, i, j] : by_distance) order.pairs.emplace_back(i, j);
+  return order;
 }
 
 std::size_t EqualParts::lay_repeated() {
@@ -272,11 +328,12 @@ std::size_t EqualParts::lay_repeated() {
     if (equal.source.size() == 1 && equal.target.size() == 1) continue;
     look_at_positions();
     const auto equals = static_cast<std::uint32_t>(std::max(equal.source.size(), equal.target.size()));
-    for (const auto& [i, j] : nearest_pairs(equal)) {
+    const Order order = nearest_pairs(equal);
+    for (const auto& [i, j] : order.pairs) {
       const Part& part = source_parts_[i];
       const Part& other = target_parts_[j];
       if (bench_.patchwork.is_matched(part.first_face) || bench_.patchwork.is_taken(other.first_face)) continue;
-      matched += lay(part, other, equals);
+      matched += lay(part, other, equals, order.by_positions);
     }
   }
   return matched;

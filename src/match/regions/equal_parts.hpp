@@ -3,6 +3,7 @@
 /// burns. Eyes, teeth, bolts: where several are equal, positions say which is which, or nobody can.
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,7 @@
 
 #include "ignition.hpp"
 #include "mending.hpp"
+#include "placement.hpp"
 #include "split.hpp"
 #include "whole_map.hpp"
 
@@ -66,9 +68,15 @@ class EqualParts {
   [[nodiscard]] bool fills(Candidate seed, const Part& part);
   [[nodiscard]] Laying best_laying(const Part& part, const Part& other);
   [[nodiscard]] double worth_of_map() const;
-  std::size_t lay(const Part& part, const Part& other, std::uint32_t equals);
+  [[nodiscard]] double drift_of_map(const Part& part) const;
+  std::size_t lay(const Part& part, const Part& other, std::uint32_t equals, bool chosen_by_positions);
   /// Pairs of a class's members, the nearest first.
-  [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> nearest_pairs(const Class& equal) const;
+  struct Order {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    bool by_positions = false;  ///< else as they come
+  };
+  [[nodiscard]] Order nearest_pairs(const Class& equal);
+  [[nodiscard]] std::optional<LocalPlacement> placement_of(const Part& part);
   void look_at_positions();
   void nearest_first(std::vector<Candidate>& places) const;
 
@@ -80,7 +88,9 @@ class EqualParts {
   std::vector<Piece> pieces_;
   std::vector<Tie> ties_;
   bool looked_ = false;
-  std::size_t spent_ = 0;  // faces grown in trials of one part
+  std::optional<LocalPlacement> here_;  // of the part that is laid
+  std::size_t looked_at_ = 0;           // matched faces, to place parts
+  std::size_t spent_ = 0;               // faces grown in trials of one part
 };
 
 }  // namespace quadmatch::regions

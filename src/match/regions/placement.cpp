@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -102,6 +104,30 @@ std::optional<Similarity> find_placement(const Workbench& bench, const VertexGri
     }
   }
   return best;
+}
+
+std::optional<LocalPlacement> local_placement(const Workbench& bench, const Point& point) {
+  constexpr std::size_t kNearest = 100;
+  const Mesh& source = bench.sides.source.mesh;
+  std::vector<std::pair<double, HalfedgeId>> by_distance;
+  for (const HalfedgeId entry : bench.patchwork.history()) {
+    if (!bench.patchwork.is_matched(source.face(entry))) continue;
+    by_distance.emplace_back(squared_distance(source.positions()[source.origin(entry).value], point), entry);
+  }
+  const std::size_t count = std::min(kNearest, by_distance.size());
+  const auto last = by_distance.begin() + static_cast<std::ptrdiff_t>(count);
+  std::partial_sort(by_distance.begin(), last, by_distance.end());
+  std::vector<HalfedgeId> nearest;
+  for (auto it = by_distance.begin(); it != last; ++it) nearest.push_back(it->second);
+  const std::optional<Similarity> similarity = fit(bench, nearest);
+  if (!similarity) return std::nullopt;
+  double sum = 0;
+  for (const HalfedgeId entry : nearest) {
+    const Point landed = (*similarity)(source.positions()[source.origin(entry).value]);
+    const VertexId image = bench.sides.target.mesh.origin(bench.patchwork.image(entry));
+    sum += squared_distance(landed, bench.sides.target.mesh.positions()[image.value]);
+  }
+  return LocalPlacement{*similarity, std::sqrt(sum / static_cast<double>(count))};
 }
 
 bool lies_well(const Workbench& bench) {
