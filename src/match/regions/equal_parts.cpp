@@ -227,7 +227,8 @@ EqualParts::Laying EqualParts::best_laying(const Part& part, const Part& other) 
   const std::size_t budget = kBudget * part.faces + kLeastBudget;
   spent_ = 0;
   Laying laying;
-  double most = 0, chosen = 0, best = 0, worst = 0;
+  double most = 0, chosen = 0;
+  std::vector<double> worths;
   std::vector<Candidate> places = seeds(part, other);
   here_.reset();
   if (places.size() > 1) {
@@ -239,18 +240,18 @@ EqualParts::Laying EqualParts::best_laying(const Part& part, const Part& other) 
     if (laying.ways >= kMostWays || (laying.ways > 0 && spent_ > budget)) break;
     laying.is_latest = false;
     if (!fills(seed, part)) continue;
-    const double worth = worth_of_map();
-    const double all_told = worth - kDrift * drift_of_map(part);
+    worths.push_back(worth_of_map());
+    const double all_told = worths.back() - kDrift * drift_of_map(part);
     if (laying.ways++ == 0 || all_told > most) {
       laying.seed = seed;
       laying.is_latest = true;
       most = all_told;
-      chosen = worth;
+      chosen = worths.back();
     }
-    best = laying.ways == 1 ? worth : std::max(best, worth);
-    worst = laying.ways == 1 ? worth : std::min(worst, worth);
   }
-  laying.by_positions = laying.ways > 1 && best > worst + kClear && chosen > best - kClear;
+  const auto as_good =
+      std::count_if(worths.begin(), worths.end(), [&](double worth) { return worth > chosen - kClear; });
+  laying.by_positions = laying.ways > 1 && as_good == 1;
   return laying;
 }
 
