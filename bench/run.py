@@ -16,6 +16,7 @@ import sys
 from parts import (ablation, edited, invariance, memory, multi, pairs, plots, posed, quality, regions, skeleton, speed,
                    unrelated)
 from parts.common import ROOT, Options, bar_table
+from parts.tried import tried
 
 # In the order of the page.
 PARTS = {"speed": speed, "edited": edited, "memory": memory, "skeleton": skeleton, "quality": quality, "regions": regions,
@@ -31,6 +32,7 @@ def write_page(options):
     if bars:
         page.append(f"{len(bars) - len(missed)} of {len(bars)} bars are met." + (" Missed are:\n" if missed else "\n"))
         page.append(bar_table(missed))
+        page += tried(missed)
     for part in PARTS.values():
         page += part.page(options)
     options.docs.mkdir(parents=True, exist_ok=True)
