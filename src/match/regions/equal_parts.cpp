@@ -178,11 +178,10 @@ double EqualParts::worth_of_map() const {
 
 /// How far the latest map brings corners from where the part's surroundings would have them, in sizes of the part: the
 /// last resort for what lengths do not tell.
-double EqualParts::drift_of_map(const Part& part) const {
+double EqualParts::drift_of_map(const Point& middle) const {
   if (!here_ || bench_.misfit.is_placed()) return 0;
   const Mesh& source = bench_.sides.source.mesh;
   const Mesh& target = bench_.sides.target.mesh;
-  const Point middle = middle_of(source, part);
   double off = 0, size = 1e-30;
   for (const Candidate& pair : map_.pairs()) {
     const Point& here = source.positions()[source.origin(pair.source).value];
@@ -236,12 +235,13 @@ EqualParts::Laying EqualParts::best_laying(const Part& part, const Part& other) 
     here_ = placement_of(part);
     if (here_) nearest_first(places);
   }
+  const Point middle = here_ ? middle_of(bench_.sides.source.mesh, part) : Point();
   for (const Candidate& seed : places) {
     if (laying.ways >= kMostWays || (laying.ways > 0 && spent_ > budget)) break;
     laying.is_latest = false;
     if (!fills(seed, part)) continue;
     worths.push_back(worth_of_map());
-    const double all_told = worths.back() - kDrift * drift_of_map(part);
+    const double all_told = worths.back() - kDrift * drift_of_map(middle);
     if (laying.ways++ == 0 || all_told > most) {
       laying.seed = seed;
       laying.is_latest = true;

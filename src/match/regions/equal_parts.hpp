@@ -68,7 +68,7 @@ class EqualParts {
   [[nodiscard]] bool fills(Candidate seed, const Part& part);
   [[nodiscard]] Laying best_laying(const Part& part, const Part& other);
   [[nodiscard]] double worth_of_map() const;
-  [[nodiscard]] double drift_of_map(const Part& part) const;
+  [[nodiscard]] double drift_of_map(const Point& middle) const;
   std::size_t lay(const Part& part, const Part& other, std::uint32_t equals, bool chosen_by_positions);
   /// Pairs of a class's members, the nearest first.
   struct Order {

@@ -254,8 +254,4 @@ void Misfit::place(const std::optional<Similarity>& placement, double edge) {
   if (target_middles_.size() == 0) target_middles_ = middles_of(sides_.target.mesh);
 }
 
-double Misfit::distance(const Point& source, const Point& target) const {
-  return std::sqrt(squared_distance((*placement_)(source), target)) / edge_;
-}
-
 }  // namespace quadmatch::regions

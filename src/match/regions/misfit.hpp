@@ -45,8 +45,6 @@ class Misfit {
   [[nodiscard]] bool may_use_positions() const { return with_positions_; }
   /// How far the middle of a face is from that of its image, in edges. @pre is_placed()
   [[nodiscard]] double distance(Candidate pair) const;
-  /// How far a point of the source lands from one of the target, in edges. @pre is_placed()
-  [[nodiscard]] double distance(const Point& source, const Point& target) const;
 
   [[nodiscard]] bool uses_lengths() const { return uses_lengths_; }
   /// Were they learnt from what is matched, and not only assumed?

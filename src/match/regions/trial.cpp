@@ -33,8 +33,7 @@ class Trial {
   bool take(Candidate pair) {
     if (!bench_.ghost.fits(pair)) return false;
     if (!rules_.cover_disagreeing && bench_.misfit.disagreeing_corners(pair) > 0) return false;
-    if (rules_.worst_error < kAny && bench_.misfit.uses_lengths() &&
-        bench_.misfit.length_error(pair) > rules_.worst_error) {
+    if (bench_.misfit.uses_lengths() && bench_.misfit.length_error(pair) > rules_.worst_error) {
       return false;
     }
     bench_.ghost.accept(pair);

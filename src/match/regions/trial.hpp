@@ -7,9 +7,6 @@
 
 namespace quadmatch::regions {
 
-/// No error is too large.
-constexpr double kAny = 1e30;
-
 struct TrialRules {
   std::size_t most_faces = 4000;
   /// With lengths: faces that fit worse than this, in units of sigma, are left out.
