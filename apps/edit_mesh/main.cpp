@@ -2,7 +2,6 @@
 // same.
 
 #include <cstdio>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -12,6 +11,8 @@
 #include <quadmatch/io/read_mesh.hpp>
 #include <quadmatch/io/write_mesh.hpp>
 #include <quadmatch/shapes/random_edit.hpp>
+
+#include "truth_file.hpp"
 
 namespace {
 
@@ -60,19 +61,6 @@ Expected<shapes::Edit> edited(const Mesh& mesh, const Arguments& arguments) {
     all.soup = std::move(next->soup);
   }
   return all;
-}
-
-/// `exact`: source face, target face, and how it is turned, as in the match file.
-bool write_truth(const std::string& path, const std::vector<FacePair>& truth) {
-  std::ofstream file(path, std::ios::binary);
-  file << "{\"orientation\": \"preserving\",\n \"partial\": {},\n \"exact\": [";
-  const char* separator = "";
-  for (const FacePair& pair : truth) {
-    file << fmt::format("{}[{}, {}, {}]", separator, pair.source.value, pair.target.value, pair.rotation);
-    separator = ", ";
-  }
-  file << "]}\n";
-  return file.flush().good();
 }
 
 int edit(const Arguments& arguments) {

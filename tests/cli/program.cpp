@@ -107,6 +107,10 @@ Outcome Folder::edit_mesh(const std::vector<std::string>& arguments) const {
   return run_program(QUADMATCH_EDIT_MESH, folder_, arguments, {});
 }
 
+Outcome Folder::make_shape(const std::vector<std::string>& arguments) const {
+  return run_program(QUADMATCH_MAKE_SHAPE, folder_, arguments, {});
+}
+
 std::string obj_of(const PolygonSoup& soup) {
   Expected<Mesh> mesh = Mesh::build(soup);
   REQUIRE(mesh.has_value());

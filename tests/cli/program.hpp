@@ -36,6 +36,8 @@ class Folder {
   Outcome run(const std::vector<std::string>& arguments, std::string_view input = {}) const;
   /// Run edit_mesh here.
   Outcome edit_mesh(const std::vector<std::string>& arguments) const;
+  /// Run make_shape here.
+  Outcome make_shape(const std::vector<std::string>& arguments) const;
 
  private:
   std::filesystem::path folder_;
