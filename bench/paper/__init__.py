@@ -1,0 +1,9 @@
+"""The parts of docs/paper/: each measures something the paper claims, and writes its page.
+
+A part has a TITLE, an INTRODUCTION, `measure(options)`, which returns raw figures, and `page(raw)`, which makes lines of
+Markdown of them.
+"""
+from paper import figures, tables
+
+# In the order of the pages.
+PARTS = {"figures": figures, "tables": tables}
