@@ -63,7 +63,7 @@ class Engine {
     if (patchwork_.matched_faces() < most_faces()) {
       match_unequal(equal);
     } else if (anchors.empty()) {
-      laid_whole = !misfit_.may_use_positions() || lies_well(bench_);
+      laid_whole = !misfit_.may_use_positions() || lies_well(bench_) || is_only_posed();
       if (!laid_whole) mend();
     }
     Outcome outcome{laid_whole ? equal.take_pieces() : split(sides_, patchwork_), !cancelled_};
@@ -82,6 +82,14 @@ class Engine {
   bool report() {
     cancelled_ = cancelled_ || (progress_ && !progress_(patchwork_.matched_faces()));
     return !cancelled_;
+  }
+
+  /// Of a model that is laid whole: do lengths differ, but nowhere as if a ring of it had been turned? Then they are no
+  /// reason to tear apart what connectivity holds together.
+  [[nodiscard]] bool is_only_posed() {
+    misfit_.calibrate(patchwork_);
+    place(bench_);
+    return misfit_.uses_lengths() && !slides_explain(bench_);
   }
 
   /// The user knows better: grow from each anchor first, and let nothing move it.

@@ -57,6 +57,8 @@ std::size_t venture_on(Workbench& bench);
 /// Slides: offer the map moved by one quad wherever lengths fit badly, or, without lengths, corners. @return faces
 /// whose partner changed.
 std::size_t undo_slides(Workbench& bench);
+/// Where lengths fit badly, would many of them fit well one quad on? @pre misfit uses lengths
+[[nodiscard]] bool slides_explain(Workbench& bench);
 
 /// Find out where the source lies in the space of the target, for misfit's distances; nowhere, if the model is posed.
 void place(Workbench& bench);

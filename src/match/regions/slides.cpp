@@ -11,8 +11,11 @@
 namespace quadmatch::regions {
 namespace {
 
-constexpr double kBad = 3.0;   // in sigma
+constexpr double kBad = 3.0;  // in sigma
+constexpr double kGood = 1.0;
 constexpr double kNear = 0.3;  // in edges
+/// Beyond a twisted ring a third and more of the faces that fit badly fit one quad on, in a pose hardly any.
+constexpr double kExplains = 0.25;
 /// A shift is tried where it lets the error about a face fall to this share.
 constexpr double kFalls = 0.8, kFallsWithoutLengths = 0.7;
 /// Without lengths: what the sum of all costs must fall by, so that not every extraordinary vertex that an edit made is
@@ -23,6 +26,20 @@ constexpr double kLeastGain = 6.0, kTelling = 2.0;
 class Slides {
  public:
   explicit Slides(Workbench& bench) : bench_(bench), tried_(source_.face_count(), false) {}
+
+  /// Of the faces whose lengths fit badly, or that land elsewhere than their image, the share that fits one quad on.
+  [[nodiscard]] double explained() const {
+    std::size_t bad = 0, good = 0;
+    for (const HalfedgeId entry : bench_.patchwork.history()) {
+      const Candidate now{entry, bench_.patchwork.image(entry)};
+      if (bench_.misfit.length_error(now) <= kBad && lands_near(now)) continue;
+      ++bad;
+      good += for_any_shift(now, [&](const Candidate& shifted) {
+        return bench_.misfit.length_error(shifted) <= kGood && lands_near(shifted);
+      });
+    }
+    return bad == 0 ? 0.0 : static_cast<double>(good) / static_cast<double>(bad);
+  }
 
   std::size_t undo() {
     std::size_t changed = 0;
@@ -43,23 +60,35 @@ class Slides {
     if (!bench_.patchwork.is_matched(source_.face(entry))) return false;
     const Candidate pair{entry, bench_.patchwork.image(entry)};
     if (!bench_.misfit.uses_lengths()) return bench_.misfit.disagreeing_corners(pair) > 0;
-    if (bench_.misfit.length_error(pair) <= kBad) return false;
-    return !bench_.misfit.is_placed() || bench_.misfit.distance(pair) > kNear;
+    return bench_.misfit.length_error(pair) > kBad && !(bench_.misfit.is_placed() && lands_near(pair));
+  }
+  /// True as well where nobody knows where the source lies.
+  [[nodiscard]] bool lands_near(Candidate pair) const {
+    return !bench_.misfit.is_placed() || bench_.misfit.distance(pair) <= kNear;
+  }
+  /// Visit a face on each quad beside its image, until a visit says yes.
+  template <class Visit>
+  bool for_any_shift(Candidate now, Visit visit) const {
+    HalfedgeId s = now.source, t = now.target;
+    do {
+      const HalfedgeId beyond = target_.twin(t);
+      if (beyond.valid() && target_.size(target_.face(beyond)) == 4 && source_.size(source_.face(s)) == 4 &&
+          visit(Candidate{s, target_.next(target_.next(beyond))})) {
+        return true;
+      }
+      s = source_.next(s);
+      t = target_.next(t);
+    } while (s != now.source);
+    return false;
   }
   [[nodiscard]] std::vector<Candidate> better_shifts(HalfedgeId entry) const {
     const Candidate now{entry, bench_.patchwork.image(entry)};
     const double enough = falls_ * error_about(now);
     std::vector<Candidate> shifts;
-    HalfedgeId s = now.source, t = now.target;
-    do {
-      const HalfedgeId beyond = target_.twin(t);
-      if (beyond.valid() && target_.size(target_.face(beyond)) == 4 && source_.size(source_.face(s)) == 4) {
-        const Candidate shifted{s, target_.next(target_.next(beyond))};
-        if (error_about(shifted) < enough) shifts.push_back(shifted);
-      }
-      s = source_.next(s);
-      t = target_.next(t);
-    } while (s != now.source);
+    for_any_shift(now, [&](const Candidate& shifted) {
+      if (error_about(shifted) < enough) shifts.push_back(shifted);
+      return false;
+    });
     return shifts;
   }
   /// Of lengths; or of corners, raised so that it is positive almost everywhere.
@@ -100,6 +129,8 @@ class Slides {
 };
 
 }  // namespace
+
+bool slides_explain(Workbench& bench) { return Slides(bench).explained() > kExplains; }
 
 std::size_t undo_slides(Workbench& bench) {
   const std::size_t changed = Slides(bench).undo();
