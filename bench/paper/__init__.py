@@ -3,7 +3,7 @@
 A part has a TITLE, an INTRODUCTION, `measure(options)`, which returns raw figures, and `page(raw)`, which makes lines of
 Markdown of them.
 """
-from paper import figures, tables
+from paper import figures, gap, tables
 
 # In the order of the pages.
-PARTS = {"figures": figures, "tables": tables}
+PARTS = {"figures": figures, "tables": tables, "gap": gap}
