@@ -14,6 +14,8 @@ namespace quadmatch::cli {
 constexpr int kSame = 0;
 constexpr int kDifferent = 1;
 constexpr int kTrouble = 2;
+/// Neither: the search for an answer was stopped.
+constexpr int kUnknown = 3;
 
 /// `quadmatch: what`, one line on standard error.
 void complain(std::string_view what);

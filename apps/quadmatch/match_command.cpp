@@ -1,6 +1,7 @@
 // quadmatch match A B: read, match, verify, write, report.
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 
 #include <fmt/format.h>
@@ -34,11 +35,20 @@ Examples:
   quadmatch match bear.obj bear_without_ears.obj -o bears.json
   quadmatch match left_shoe.obj right_shoe.obj -o shoes.json --orientation reversing
   quadmatch match a.ply b.usda --json | jq .matched_faces
+  quadmatch match patch.obj edited.obj -o best.json --algorithm exact --time-limit 10
 
-Exit status: 0 matched, in whole or in part; 1 nothing matched; 2 trouble.)";
+The problem is NP-hard, yet --algorithm exact finds the largest region there is and proves it
+for patches of a few hundred faces and for small whole meshes after small edits, mostly within
+seconds. Give it a --time-limit: when it is over, the best region so far is written, with a bound.
+With --at-least K it only settles whether there is a region of K faces or more.
 
-const std::map<std::string, Algorithm> kAlgorithms{
-    {"regions", Algorithm::Regions}, {"lazy-greedy", Algorithm::LazyGreedy}, {"greedy", Algorithm::Greedy}};
+Exit status: 0 matched, in whole or in part; 1 nothing matched; 2 trouble.
+With --at-least: 0 yes, 1 no, 2 trouble, 3 not known when the time was over.)";
+
+const std::map<std::string, Algorithm> kAlgorithms{{"regions", Algorithm::Regions},
+                                                   {"lazy-greedy", Algorithm::LazyGreedy},
+                                                   {"greedy", Algorithm::Greedy},
+                                                   {"exact", Algorithm::Exact}};
 const std::map<std::string, OrientationChoice> kOrientations{{"auto", OrientationChoice::Auto},
                                                              {"preserving", OrientationChoice::Preserving},
                                                              {"reversing", OrientationChoice::Reversing}};
@@ -67,6 +77,8 @@ struct MatchArguments {
   double least_confidence = MatchOptions{}.least_confidence;
   std::uint32_t least_region = MatchOptions{}.least_region;
   std::uint32_t threads = 0;
+  double time_limit = 0;       // seconds, 0: none
+  std::uint32_t at_least = 0;  // 0: not asked
   bool waves = false;
   bool json = false;
   bool quiet = false;
@@ -83,13 +95,30 @@ MatchOptions options_of(const MatchArguments& arguments, Progress& progress) {
   options.least_confidence = arguments.least_confidence;
   options.least_region = arguments.least_region;
   options.waves = arguments.waves;
-  if (progress.visible()) {
-    options.progress = [&progress](std::size_t matched, std::size_t most) {
-      progress.update(matched, most);
-      return true;
-    };
-  }
+  options.at_least = arguments.at_least;
+  if (!progress.visible() && arguments.time_limit == 0) return options;
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point began = Clock::now();
+  options.progress = [&progress, began, limit = arguments.time_limit](std::size_t matched, std::size_t most) {
+    progress.update(matched, most);
+    return limit == 0 || std::chrono::duration<double>(Clock::now() - began).count() < limit;
+  };
   return options;
+}
+
+/// Do the options of the exact search go together with the rest?
+bool exact_options_fit(const MatchArguments& arguments) {
+  const bool exact = arguments.algorithm == "exact";
+  if (!exact && (arguments.time_limit != 0 || arguments.at_least != 0)) {
+    complain(fmt::format("{} needs --algorithm exact; {} ends by itself",
+                         arguments.at_least != 0 ? "--at-least" : "--time-limit", arguments.algorithm));
+    return false;
+  }
+  if (exact && !arguments.anchors.empty()) {
+    complain("--algorithm exact looks at all places and takes no --anchor; leave it out, or use regions");
+    return false;
+  }
+  return true;
 }
 
 /// What was asked for, as the match file remembers it.
@@ -100,6 +129,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(const MatchArgument
                                                             {"rounds", std::to_string(arguments.rounds)},
                                                             {"arc_lengths", arguments.arc_lengths ? "true" : "false"},
                                                             {"positions", arguments.no_positions ? "false" : "true"}};
+  if (arguments.time_limit != 0) settings.emplace_back("time_limit", fmt::format("{}", arguments.time_limit));
   if (!arguments.without.empty()) settings.emplace_back("without", joined(arguments.without, " "));
   if (!arguments.anchors.empty()) settings.emplace_back("anchors", joined(arguments.anchors, " "));
   return settings;
@@ -161,7 +191,22 @@ void warn_of_dirt(const MeshFile& file) {
   if (!dirt.empty()) warn(fmt::format("{}: {}", display_name(file.path), dirt));
 }
 
+int status_of(const MatchReport& report) {
+  if (!report.optimality || report.optimality->decision == Decision::NotAsked) {
+    return report.matched_faces() > 0 ? kSame : kDifferent;
+  }
+  switch (report.optimality->decision) {
+    case Decision::Yes:
+      return kSame;
+    case Decision::No:
+      return kDifferent;
+    default:
+      return kUnknown;
+  }
+}
+
 int run_match(const MatchArguments& arguments) {
+  if (!exact_options_fit(arguments)) return kTrouble;
   if (!paths_fit({arguments.source, arguments.target}, arguments.output)) return kTrouble;
   if (arguments.json && arguments.output == "-") {
     complain("--json and -o - would mix figures and match file on standard output; write the match to a file");
@@ -201,14 +246,15 @@ int run_match(const MatchArguments& arguments) {
   stopwatch.lap();
   if (const bool figures_only = arguments.json && arguments.output.empty(); !figures_only) {
     const std::string output = arguments.output.empty() ? "-" : arguments.output;
-    const MatchFile file{side_of(*source), side_of(*target), std::move(result->match), report.settings};
+    const MatchFile file{side_of(*source), side_of(*target), std::move(result->match), report.settings,
+                         result->optimality};
     if (Expected<void> written = write_match(output, file); !written) return complain(written.error());
     if (output != "-") report.output = output;
   }
   times.writing = stopwatch.lap();
   report.times = times;
   if (!tell(arguments, report)) return kTrouble;
-  return report.matched_faces() > 0 ? kSame : kDifferent;
+  return status_of(report);
 }
 
 }  // namespace
@@ -225,7 +271,8 @@ void add_match_command(CLI::App& program, Action& chosen) {
   verb->add_option(
           "--algorithm", arguments->algorithm,
           "regions: many anchors, many regions, belief by evidence. The paper's, of one region: lazy-greedy, the "
-          "largest compatible component first; greedy, every face that fits, wave by wave")
+          "largest compatible component first; greedy, every face that fits, wave by wave. exact: the largest region "
+          "there is, proved, for small meshes")
       ->check(one_of(kAlgorithms))
       ->type_name("NAME")
       ->capture_default_str();
@@ -263,6 +310,14 @@ void add_match_command(CLI::App& program, Action& chosen) {
       ->allow_extra_args(false)
       ->check(one_of(kStages))
       ->type_name("STAGE,...");
+  verb->add_option("--time-limit", arguments->time_limit, "exact: stop after so long, with the best region so far")
+      ->check(CLI::Range(0.001, 1e9).description(""))
+      ->type_name("SECONDS");
+  verb->add_option(
+          "--at-least", arguments->at_least,
+          "exact: only settle whether there is a region of so many faces or more; the answer is the exit status")
+      ->check(CLI::Range(1U, 0xffffffffU).description(""))
+      ->type_name("FACES");
   verb->add_flag("--waves", arguments->waves, "Keep the order of growth, wave by wave, in the match file");
   verb->add_flag("--json", arguments->json, "Print the figures as JSON");
   verb->add_flag("--quiet", arguments->quiet, "Print neither summary nor warnings");

@@ -149,6 +149,36 @@ Json region_json(const RegionReport& region) {
             {"target_extraordinary", region.evidence.target_extraordinary}}}};
 }
 
+/// What is proved of the size, in plain words.
+std::string describe(const Optimality& optimality, std::uint32_t faces) {
+  const std::string nodes = counted(optimality.nodes, "node", "nodes") + " searched";
+  if (optimality.proved) return fmt::format("proved: no region has more than {}; {}", counted(faces, "face"), nodes);
+  return fmt::format("not proved: a region has {} at most; {}", counted(optimality.bound, "face"), nodes);
+}
+
+std::string answer(const Optimality& optimality) {
+  const std::string asked = counted(optimality.at_least, "face") + " or more";
+  switch (optimality.decision) {
+    case Decision::Yes:
+      return fmt::format("yes, there is a region of {}", asked);
+    case Decision::No:
+      return fmt::format("no, there is no region of {}", asked);
+    default:
+      return fmt::format("unknown: the search ended before it was settled whether there is a region of {}", asked);
+  }
+}
+
+Json optimality_json(const Optimality& optimality) {
+  Json json = {{"proved", optimality.proved}, {"bound", optimality.bound}, {"nodes", optimality.nodes}};
+  if (optimality.decision != Decision::NotAsked) {
+    json["at_least"] = optimality.at_least;
+    json["answer"] = optimality.decision == Decision::Yes  ? "yes"
+                     : optimality.decision == Decision::No ? "no"
+                                                           : "unknown";
+  }
+  return json;
+}
+
 /// To the microsecond.
 double rounded(double milliseconds) { return std::round(milliseconds * 1000.0) / 1000.0; }
 
@@ -169,6 +199,7 @@ MatchReport report_match(const Mesh& source, const Mesh& target, const MatchResu
     report.regions.push_back({region.orientation, static_cast<std::uint32_t>(region.faces.size()), region.evidence,
                               region.ways, region.ambiguous});
   }
+  report.optimality = result.optimality;
   if (const Anchor& seed = result.seed; seed.source.valid()) {
     report.seed = SeedReport{.source_face = source.face(seed.source),
                              .target_face = target.face(seed.target),
@@ -192,6 +223,10 @@ std::string as_text(const MatchReport& report) {
                                                             counted(report.matched_vertices, "vertex", "vertices")));
   add_regions(lines, report.regions);
   if (const std::string doubts = doubts_of(report); !doubts.empty()) lines.add("doubtful", doubts);
+  if (report.optimality) {
+    lines.add("largest", describe(*report.optimality, report.matched_faces()));
+    if (report.optimality->decision != Decision::NotAsked) lines.add("answer", answer(*report.optimality));
+  }
   if (report.seed) lines.add("anchor", describe(*report.seed));
   lines.add("time", fmt::format("reading {}, matching {}, verifying {}", duration(report.times.reading),
                                 duration(report.times.matching), duration(report.times.verifying)));
@@ -210,6 +245,7 @@ std::string as_json(const MatchReport& report) {
                     {"matched_vertices", report.matched_vertices},
                     {"ambiguous_faces", report.ambiguous_faces()},
                     {"regions", regions},
+                    {"optimality", report.optimality ? optimality_json(*report.optimality) : Json(nullptr)},
                     {"anchor", seed_json(report.seed)},
                     {"settings", settings},
                     {"milliseconds",

@@ -50,6 +50,8 @@ struct MatchReport {
   std::uint32_t matched_vertices = 0;
   std::optional<SeedReport> seed;
   std::vector<std::pair<std::string, std::string>> settings;
+  /// What an exact search proved.
+  std::optional<Optimality> optimality;
   Times times;
   std::string output;  ///< where the match file was written; empty: nowhere
 

@@ -9,6 +9,7 @@
 #include <quadmatch/io/mesh_file.hpp>
 #include <quadmatch/io/read_mesh.hpp>
 #include <quadmatch/io/write_mesh.hpp>
+#include <quadmatch/match/exact.hpp>
 #include <quadmatch/match/matcher.hpp>
 #include <quadmatch/mesh/check.hpp>
 #include <quadmatch/mesh/components.hpp>

@@ -100,6 +100,26 @@ void write_region(io::TextBuffer& text, const Region& region) {
   text << "]}";
 }
 
+const char* answer_text(Decision decision) {
+  switch (decision) {
+    case Decision::Yes:
+      return "yes";
+    case Decision::No:
+      return "no";
+    default:
+      return "unknown";
+  }
+}
+
+void write_statistics(io::TextBuffer& text, const Optimality& optimality) {
+  text << " \"statistics\": {\"proved\": " << (optimality.proved ? "true" : "false")
+       << ", \"bound\": " << optimality.bound << ", \"nodes\": " << optimality.nodes;
+  if (optimality.decision != Decision::NotAsked) {
+    text << ", \"at_least\": " << optimality.at_least << ", \"answer\": \"" << answer_text(optimality.decision) << '"';
+  }
+  text << "},\n";
+}
+
 std::string counted(std::uint32_t count, std::string_view one, std::string_view many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
@@ -151,6 +171,7 @@ std::string format_match(const MatchFile& file) {
     }
     text << "},\n";
   }
+  if (file.optimality) write_statistics(text, *file.optimality);
   text << " \"regions\": [";
   for (std::size_t i = 0; i < file.match.regions.size(); ++i) {
     text << (i == 0 ? "\n" : ",\n");

@@ -9,6 +9,7 @@
 
 #include <quadmatch/analysis/skeleton.hpp>
 #include <quadmatch/analysis/vertex_code.hpp>
+#include <quadmatch/match/exact.hpp>
 
 #include "growth.hpp"
 #include "match_regions.hpp"
@@ -102,14 +103,24 @@ bool leaves_most_unmatched(const Match& match, const Mesh& source, const Mesh& t
 /// ...and believes it only if it is far larger: garbage grows to some size both ways round.
 bool is_far_larger(const Match& match, const Match& other) { return match.matched_faces() > 2 * other.matched_faces(); }
 
+MatchResult match_exactly(const Mesh& source, const Mesh& target, const MatchOptions& options) {
+  ExactOptions exact{.orientation = options.orientation, .at_least = options.at_least};
+  if (options.progress) {
+    exact.progress = [&](const ExactProgress& progress) { return options.progress(progress.faces, progress.bound); };
+  }
+  LargestRegion largest = largest_region(source, target, exact);
+  return {.match = std::move(largest.match), .search = {}, .seed = {}, .optimality = largest.optimality};
+}
+
 }  // namespace
 
 MatchResult match(const Mesh& source, const Mesh& target, const MatchOptions& options) {
   if (options.algorithm == Algorithm::Regions) {
-    MatchResult result{.match = match_regions(source, target, options), .search = {}, .seed = {}};
+    MatchResult result{.match = match_regions(source, target, options), .search = {}, .seed = {}, .optimality = {}};
     result.seed = first_matched(result.match, source, target, options.anchors);
     return result;
   }
+  if (options.algorithm == Algorithm::Exact) return match_exactly(source, target, options);
   const Analysis left(source, options.anchors.empty());
   if (options.orientation == OrientationChoice::Reversing) return match_mirrored(left, target, options);
 

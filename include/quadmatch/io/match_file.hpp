@@ -1,6 +1,7 @@
 #pragma once
 /// The match file, `quadmatch.match/1`: JSON with 0-based indices in file order (docs/formats.md).
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,6 +27,8 @@ struct MatchFile {
   Match match;
   /// Settings it was made with, e.g. {"algorithm", "lazy-greedy"}; written as strings, in this order.
   std::vector<std::pair<std::string, std::string>> settings = {};
+  /// What an exact search proved; written as `statistics`, passed over when read.
+  std::optional<Optimality> optimality = {};
 };
 
 /// Read a match file; `-` reads standard input. Fields it does not know are passed over, in any order; `evidence`,

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <quadmatch/analysis/anchors.hpp>
@@ -16,6 +17,7 @@ enum class Algorithm {
   Greedy,      ///< §4.4: every quad that fits, wave by wave
   LazyGreedy,  ///< §4.5: the largest component of the compatibility graph first
   Regions,     ///< many anchors, many regions, belief by evidence (docs/how-it-works.md)
+  Exact,       ///< the largest region there is, proved; for small meshes (match/exact.hpp)
 };
 
 /// Which way round the target is laid on the source.
@@ -58,9 +60,12 @@ struct MatchOptions {
   /// Regions only: leave out regions of fewer faces.
   std::uint32_t least_region = 1;
   Stages stages = {};
+  /// Exact only: end as soon as it is known whether there is a region of so many faces; 0: find the largest.
+  std::uint32_t at_least = 0;
   /// Keep the growth order wave by wave.
   bool waves = false;
-  /// Called now and then with faces matched so far and the most there can be; returning false cancels.
+  /// Called now and then with faces matched so far and the most there can be (for Exact, what is proved of that);
+  /// returning false cancels.
   std::function<bool(std::size_t matched, std::size_t most)> progress = {};
 };
 
@@ -70,6 +75,8 @@ struct MatchResult {
   AnchorSearch search;
   /// The anchor that was grown from; not valid where nothing could be matched.
   Anchor seed;
+  /// Exact only: what is proved.
+  std::optional<Optimality> optimality = {};
 };
 
 /// Match two meshes from connectivity alone.

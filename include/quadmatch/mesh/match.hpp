@@ -83,4 +83,22 @@ struct Match {
   }
 };
 
+/// The answer to "is there a region of at least so many faces?" (Theorem 3.2).
+enum class Decision : std::uint8_t { NotAsked, Yes, No, Unknown };
+
+/// What an exact search has shown of the largest region there can be (match/exact.hpp).
+struct Optimality {
+  /// No region has more faces.
+  std::uint32_t bound = 0;
+  /// The region found has as many as the bound, so none is larger.
+  bool proved = false;
+  /// Nodes of the search tree.
+  std::uint64_t nodes = 0;
+  /// Faces that were asked for; 0: the largest region was.
+  std::uint32_t at_least = 0;
+  Decision decision = Decision::NotAsked;
+
+  bool operator==(const Optimality&) const = default;
+};
+
 }  // namespace quadmatch

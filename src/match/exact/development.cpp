@@ -1,0 +1,198 @@
+#include "development.hpp"
+
+#include <algorithm>
+
+namespace quadmatch::exact {
+namespace {
+
+std::size_t most(const Partial& partial, std::uint32_t (Mesh::*count)() const) {
+  return std::max((partial.mesh(kSource).*count)(), (partial.mesh(kTarget).*count)());
+}
+
+}  // namespace
+
+Development::Development(const Partial& partial)
+    : partial_(partial),
+      labels_(most(partial, &Mesh::face_count)),
+      taken_(labels_.size()),
+      image_(most(partial, &Mesh::vertex_count)),
+      origin_(image_.size()),
+      packed_(labels_.size(), 0),
+      reach_stamp_(labels_.size(), 0) {}
+
+std::uint32_t Development::count_reach(Side side, const Rim& rim) {
+  const Mesh& mesh = partial_.mesh(side);
+  ++reach_;
+  to_visit_.clear();
+  const auto visit = [&](HalfedgeId h) {
+    if (!h.valid()) return;
+    const FaceId face = mesh.face(h);
+    if (!partial_.is_open(side, face) || reach_stamp_[face] == reach_) return;
+    reach_stamp_[face] = reach_;
+    to_visit_.push_back(face);
+  };
+  for (const Pair& pair : rim) visit(mesh.twin(half(pair, side)));
+  for (std::size_t next = 0; next < to_visit_.size(); ++next) {
+    for (const HalfedgeId h : mesh.halfedges(to_visit_[next])) visit(mesh.twin(h));
+  }
+  return static_cast<std::uint32_t>(to_visit_.size());
+}
+
+HalfedgeId Development::label_of(HalfedgeId here) const {
+  const Mesh& mesh = partial_.mesh(side_);
+  return partial_.turned(other(side_), labels_[mesh.face(here)].image, mesh.corner(here));
+}
+
+/// The labelled face that a pair clashes with; not valid where there is none.
+FaceId Development::opponent(const Pair& pair) const {
+  const HalfedgeId here = half(pair, side_), there = half(pair, other(side_));
+  const Mesh& mesh = partial_.mesh(side_);
+  const Owned& taken = taken_[partial_.mesh(other(side_)).face(there)];
+  if (taken.stamp == stamp_) return taken.owner;
+  const std::uint32_t size = mesh.size(mesh.face(here));
+  const FaceId at_corner = corner_opponent(here, there, size);
+  return at_corner.valid() ? at_corner : edge_opponent(here, there, size);
+}
+
+FaceId Development::corner_opponent(HalfedgeId here, HalfedgeId there, std::uint32_t size) const {
+  const Mesh& mesh = partial_.mesh(side_);
+  const Mesh& mesh_there = partial_.mesh(other(side_));
+  for (std::uint32_t corner = 0; corner < size; ++corner) {
+    const Owned& image = image_[mesh.origin(here)];
+    const VertexId w = mesh_there.origin(there);
+    if (image.stamp == stamp_) {
+      if (image.value != w.value) return image.owner;
+    } else if (origin_[w].stamp == stamp_) {
+      return origin_[w].owner;
+    }
+    here = mesh.next(here);
+    there = mesh_there.next(there);
+  }
+  return {};
+}
+
+FaceId Development::edge_opponent(HalfedgeId here, HalfedgeId there, std::uint32_t size) const {
+  const Mesh& mesh = partial_.mesh(side_);
+  const Mesh& mesh_there = partial_.mesh(other(side_));
+  for (std::uint32_t corner = 0; corner < size; ++corner) {
+    const HalfedgeId b = mesh.twin(here), c = mesh_there.twin(there);
+    if (b.valid() && is_labelled(mesh.face(b))) {
+      if (label_of(b) != c) return mesh.face(b);
+    } else if (c.valid() && taken_[mesh_there.face(c)].stamp == stamp_) {
+      return taken_[mesh_there.face(c)].owner;
+    }
+    here = mesh.next(here);
+    there = mesh_there.next(there);
+  }
+  return {};
+}
+
+void Development::put_label(const Pair& pair, FaceId parent) {
+  const Mesh& mesh = partial_.mesh(side_);
+  const Mesh& mesh_there = partial_.mesh(other(side_));
+  HalfedgeId here = half(pair, side_), there = half(pair, other(side_));
+  const FaceId face = mesh.face(here);
+  const HalfedgeId first = mesh.first(face);
+  taken_[mesh_there.face(there)] = {stamp_, 0, face};
+  for (std::uint32_t corner = mesh.size(face); corner > 0; --corner) {
+    const VertexId v = mesh.origin(here), w = mesh_there.origin(there);
+    if (image_[v].stamp != stamp_) image_[v] = {stamp_, w.value, face};
+    if (origin_[w].stamp != stamp_) origin_[w] = {stamp_, v.value, face};
+    if (here == first) labels_[face] = {stamp_, there, parent};
+    here = mesh.next(here);
+    there = mesh_there.next(there);
+  }
+  queue_.push_back(pair);
+}
+
+/// Label the face of a pair, or say what it clashes with. False on a clash.
+bool Development::reach(const Pair& pair, FaceId parent) {
+  const HalfedgeId here = half(pair, side_), there = half(pair, other(side_));
+  const FaceId face = partial_.mesh(side_).face(here);
+  if (!partial_.is_open(side_, face) || is_packed(face)) return true;
+  if (is_labelled(face)) {
+    if (label_of(here) == there) return true;
+    clash_opponent_ = face;
+  } else if (!there.valid() || !partial_.fits(pair)) {
+    clash_opponent_ = FaceId();
+  } else {
+    clash_opponent_ = opponent(pair);
+    if (!clash_opponent_.valid()) {
+      put_label(pair, parent);
+      return true;
+    }
+  }
+  clash_parent_ = parent;
+  clash_face_ = face;
+  return false;
+}
+
+/// Breadth first, so that the first clash has short paths. False where there is one.
+bool Development::develop(const Rim& rim) {
+  const Mesh& mesh = partial_.mesh(side_);
+  const Mesh& mesh_there = partial_.mesh(other(side_));
+  ++stamp_;
+  queue_.clear();
+  for (const Pair& inside : rim) {
+    const Pair pair = beyond(partial_, inside);
+    if (half(pair, side_).valid() && !reach(pair, FaceId())) return false;
+  }
+  for (std::size_t next = 0; next < queue_.size(); ++next) {
+    HalfedgeId here = half(queue_[next], side_), there = half(queue_[next], other(side_));
+    const FaceId face = mesh.face(here);
+    for (std::uint32_t corner = mesh.size(face); corner > 0; --corner) {
+      const HalfedgeId across = mesh.twin(here);
+      if (across.valid() && !reach(pair_of(side_, across, mesh_there.twin(there)), face)) return false;
+      here = mesh.next(here);
+      there = mesh_there.next(there);
+    }
+  }
+  return true;
+}
+
+/// The faces from here back to the rim, or to where another path of the same clash joins.
+void Development::pack_path(FaceId face) {
+  for (; face.valid() && !is_packed(face); face = labels_[face].parent) packed_[face] = packing_;
+}
+
+/// Those of which nothing is lost yet; what is left open of them loses a face.
+std::uint32_t Development::pack_loss_sets() {
+  std::uint32_t sets = 0;
+  for (const LossSet& set : partial_.loss_sets(side_)) {
+    if (!set.unpaid()) continue;
+    ++sets;
+    for (const FaceId face : set.faces) {
+      if (partial_.is_open(side_, face)) packed_[face] = packing_;
+    }
+  }
+  return sets;
+}
+
+Packing Development::pack(Side side, const Rim& rim, std::uint32_t enough) {
+  side_ = side;
+  ++packing_;
+  Packing packing;
+  if (develop(rim)) {
+    packing.free_of_conflict = true;
+    return packing;
+  }
+  FaceId root = clash_parent_.valid() ? clash_parent_ : clash_face_;
+  while (is_labelled(root) && labels_[root].parent.valid()) root = labels_[root].parent;
+  for (const Pair& inside : rim) {
+    const Pair pair = beyond(partial_, inside);
+    const HalfedgeId here = half(pair, side_);
+    if (here.valid() && partial_.mesh(side_).face(here) == root) packing.root = pair;
+  }
+
+  packing.sets = pack_loss_sets();
+  while (packing.sets < enough) {
+    if (packing.sets > 0 && develop(rim)) break;
+    pack_path(clash_parent_);
+    pack_path(clash_opponent_);
+    packed_[clash_face_] = packing_;
+    ++packing.sets;
+  }
+  return packing;
+}
+
+}  // namespace quadmatch::exact

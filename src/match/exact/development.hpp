@@ -1,0 +1,82 @@
+#pragma once
+/// What must be lost: conflict sets found by developing a map beyond a partial region, and a packing of disjoint ones.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "partial.hpp"
+
+namespace quadmatch::exact {
+
+/// What a packing came to.
+struct Packing {
+  /// Disjoint sets of open faces, of each of which every better region that holds the partial one loses a face.
+  std::uint32_t sets = 0;
+  /// Nothing is in conflict: the partial region and its whole development are a region.
+  bool free_of_conflict = false;
+  /// The pair of the rim at the root of the first conflict found, the shortest.
+  Pair root;
+};
+
+/// Develops one side over what a partial region leaves open.
+///
+/// A face beyond an edge of a face that is in has but one possible image. So going from the rim face by face gives
+/// every open face a label; if the region held all faces of a path, each would have its label. Where a face reached
+/// along a path has no label that fits, or clashes with a face reached along another, the two paths cannot both be in:
+/// at least one of their faces is lost.
+class Development {
+ public:
+  explicit Development(const Partial& partial);
+
+  /// Count the open faces of a side that can be reached from the rim, and note which they are.
+  std::uint32_t count_reach(Side side, const Rim& rim);
+  /// @pre count_reach was called last for this side.
+  [[nodiscard]] bool is_reached(FaceId face) const { return reach_stamp_[face] == reach_; }
+
+  /// Pack conflict sets of a side, loss sets among them, up to `enough`.
+  /// @pre propagated: every pair beyond the rim fits, and open faces that cannot be reached are out.
+  Packing pack(Side side, const Rim& rim, std::uint32_t enough);
+
+  /// Was the face in a set of the last packing? @pre the same side
+  [[nodiscard]] bool is_packed(FaceId face) const { return packed_[face] == packing_; }
+
+  /// The labels of the last packing's first development, from the rim outwards. @pre it was free of conflict
+  [[nodiscard]] const std::vector<Pair>& labels() const { return queue_; }
+
+ private:
+  struct Label {
+    std::uint32_t stamp = 0;
+    HalfedgeId image;  // of the first half-edge
+    FaceId parent;     // not valid: beyond the rim
+  };
+  struct Owned {
+    std::uint32_t stamp = 0;
+    std::uint32_t value = 0;
+    FaceId owner;  // the face of this side that said so
+  };
+
+  bool develop(const Rim& rim);
+  bool reach(const Pair& pair, FaceId parent);
+  [[nodiscard]] FaceId opponent(const Pair& pair) const;
+  [[nodiscard]] FaceId corner_opponent(HalfedgeId here, HalfedgeId there, std::uint32_t size) const;
+  [[nodiscard]] FaceId edge_opponent(HalfedgeId here, HalfedgeId there, std::uint32_t size) const;
+  void put_label(const Pair& pair, FaceId parent);
+  [[nodiscard]] bool is_labelled(FaceId face) const { return labels_[face].stamp == stamp_; }
+  [[nodiscard]] HalfedgeId label_of(HalfedgeId here) const;
+  void pack_path(FaceId face);
+  std::uint32_t pack_loss_sets();
+
+  const Partial& partial_;
+  Side side_ = kSource;  // the side developed
+  std::uint32_t stamp_ = 0, packing_ = 0, reach_ = 0;
+  PerFace<Label> labels_;            // of either side, so as many as the larger has faces
+  PerFace<Owned> taken_;             // of the other side: which face lies there
+  PerVertex<Owned> image_, origin_;  // of this side's vertices, of the other's
+  PerFace<std::uint32_t> packed_, reach_stamp_;
+  std::vector<Pair> queue_;
+  std::vector<FaceId> to_visit_;
+  FaceId clash_parent_, clash_face_, clash_opponent_;
+};
+
+}  // namespace quadmatch::exact

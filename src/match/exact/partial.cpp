@@ -1,0 +1,186 @@
+#include "partial.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace quadmatch::exact {
+namespace {
+
+/// The faces that pass a vertex more than once: only dirty files have such.
+PerFace<std::uint8_t> faces_that_repeat(const Mesh& mesh) {
+  PerFace<std::uint8_t> repeats(mesh.face_count(), 0);
+  std::vector<VertexId> corners;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    corners.clear();
+    for (const HalfedgeId h : mesh.halfedges(FaceId(f))) corners.push_back(mesh.origin(h));
+    std::sort(corners.begin(), corners.end());
+    repeats[FaceId(f)] = std::adjacent_find(corners.begin(), corners.end()) != corners.end() ? 1 : 0;
+  }
+  return repeats;
+}
+
+}  // namespace
+
+Partial::Partial(const Mesh& source, const Mesh& target) : meshes_{&source, &target}, open_{} {
+  for (const Side side : {kSource, kTarget}) {
+    const Mesh& mesh = *meshes_[side];
+    standing_[side] = PerFace<Standing>(mesh.face_count(), Standing::Open);
+    image_of_first_[side] = PerFace<HalfedgeId>(mesh.face_count());
+    partner_[side] = PerVertex<VertexId>(mesh.vertex_count());
+    repeats_[side] = faces_that_repeat(mesh);
+    open_[side] = mesh.face_count();
+    set_of_[side] = PerFace<std::uint32_t>(mesh.face_count(), kNoSet);
+  }
+}
+
+HalfedgeId Partial::turned(Side side, HalfedgeId h, std::uint32_t corner) const {
+  const Mesh& mesh = *meshes_[side];
+  if (mesh.all_quads()) return HalfedgeId((h.value & ~3U) | ((h.value + corner) & 3U));
+  const FaceId face = mesh.face(h);
+  const std::uint32_t first = mesh.first(face).value, size = mesh.size(face);
+  std::uint32_t place = h.value - first + corner;
+  if (place >= size) place -= size;
+  return HalfedgeId(first + place);
+}
+
+HalfedgeId Partial::image(Side side, HalfedgeId h) const {
+  const Mesh& mesh = *meshes_[side];
+  return turned(other(side), image_of_first_[side][mesh.face(h)], mesh.corner(h));
+}
+
+bool Partial::fits(const Pair& pair) const {
+  const FaceId f = meshes_[kSource]->face(pair.source), g = meshes_[kTarget]->face(pair.target);
+  if (!is_open(kSource, f) || !is_open(kTarget, g)) return false;
+  const std::uint32_t size = meshes_[kSource]->size(f);
+  if (size != meshes_[kTarget]->size(g) || !corners_agree(pair, size) || !neighbours_agree(pair, size)) return false;
+  return (repeats_[kSource][f] == 0 && repeats_[kTarget][g] == 0) || repeat_alike(pair, size);
+}
+
+/// Condition 2 of DESIGN: the vertex map stays a function and one-to-one.
+bool Partial::corners_agree(const Pair& pair, std::uint32_t size) const {
+  auto [s, t] = pair;
+  for (std::uint32_t corner = 0; corner < size; ++corner) {
+    const VertexId w = meshes_[kTarget]->origin(t);
+    const VertexId image = partner_[kSource][meshes_[kSource]->origin(s)];
+    if (image.valid() ? image != w : partner_[kTarget][w].valid()) return false;
+    s = meshes_[kSource]->next(s);
+    t = meshes_[kTarget]->next(t);
+  }
+  return true;
+}
+
+/// Condition 3: adjacent to what is in across corresponding edges, and across no others.
+bool Partial::neighbours_agree(const Pair& pair, std::uint32_t size) const {
+  auto [s, t] = pair;
+  for (std::uint32_t corner = 0; corner < size; ++corner) {
+    const HalfedgeId b = meshes_[kSource]->twin(s), c = meshes_[kTarget]->twin(t);
+    if (b.valid() && standing_[kSource][meshes_[kSource]->face(b)] == Standing::In) {
+      if (image(kSource, b) != c) return false;
+    } else if (c.valid() && standing_[kTarget][meshes_[kTarget]->face(c)] == Standing::In) {
+      return false;
+    }
+    s = meshes_[kSource]->next(s);
+    t = meshes_[kTarget]->next(t);
+  }
+  return true;
+}
+
+/// A face that passes a vertex twice lies only on one that does so at the same corners.
+bool Partial::repeat_alike(const Pair& pair, std::uint32_t size) const {
+  for (std::uint32_t i = 1; i < size; ++i) {
+    for (std::uint32_t k = 0; k < i; ++k) {
+      const auto at = [&](Side side, std::uint32_t corner) {
+        return meshes_[side]->origin(turned(side, half(pair, side), corner));
+      };
+      if ((at(kSource, i) == at(kSource, k)) != (at(kTarget, i) == at(kTarget, k))) return false;
+    }
+  }
+  return true;
+}
+
+void Partial::decide(Side side, FaceId face, Standing standing) {
+  assert(is_open(side, face));
+  standing_[side][face] = standing;
+  --open_[side];
+  if (const std::uint32_t set = set_of_[side][face]; set != kNoSet) {
+    ++(standing == Standing::In ? loss_sets_[side][set].in : loss_sets_[side][set].out);
+  }
+}
+
+void Partial::reopen(Side side, FaceId face) {
+  if (const std::uint32_t set = set_of_[side][face]; set != kNoSet) {
+    --(standing_[side][face] == Standing::In ? loss_sets_[side][set].in : loss_sets_[side][set].out);
+  }
+  standing_[side][face] = Standing::Open;
+  ++open_[side];
+}
+
+void Partial::commit(const Pair& pair) {
+  assert(fits(pair));
+  const FaceId f = meshes_[kSource]->face(pair.source), g = meshes_[kTarget]->face(pair.target);
+  auto [s, t] = pair;
+  for (std::uint32_t corner = meshes_[kSource]->size(f); corner > 0; --corner) {
+    const VertexId v = meshes_[kSource]->origin(s), w = meshes_[kTarget]->origin(t);
+    if (!partner_[kSource][v].valid()) {
+      partner_[kSource][v] = w;
+      partner_[kTarget][w] = v;
+      trail_.push_back({Step::Vertex, v.value});
+    }
+    if (s == meshes_[kSource]->first(f)) image_of_first_[kSource][f] = t;
+    if (t == meshes_[kTarget]->first(g)) image_of_first_[kTarget][g] = s;
+    s = meshes_[kSource]->next(s);
+    t = meshes_[kTarget]->next(t);
+  }
+  decide(kSource, f, Standing::In);
+  decide(kTarget, g, Standing::In);
+  pairs_.push_back(pair);
+  trail_.push_back({Step::Committed, f.value});
+}
+
+void Partial::exclude(Side side, FaceId face) {
+  decide(side, face, Standing::Out);
+  trail_.push_back({side == kSource ? Step::OutOfSource : Step::OutOfTarget, face.value});
+}
+
+void Partial::undo(Mark mark) {
+  for (; trail_.size() > mark; trail_.pop_back()) {
+    const auto [step, id] = trail_.back();
+    switch (step) {
+      case Step::Committed:
+        reopen(kSource, FaceId(id));
+        reopen(kTarget, meshes_[kTarget]->face(image_of_first_[kSource][FaceId(id)]));
+        pairs_.pop_back();
+        break;
+      case Step::Vertex:
+        partner_[kTarget][partner_[kSource][VertexId(id)]] = VertexId();
+        partner_[kSource][VertexId(id)] = VertexId();
+        break;
+      case Step::OutOfSource:
+        reopen(kSource, FaceId(id));
+        break;
+      case Step::OutOfTarget:
+        reopen(kTarget, FaceId(id));
+        break;
+    }
+  }
+}
+
+void Partial::add_loss_set(Side side, std::vector<FaceId> faces) {
+  assert(trail_.empty());
+  for (const FaceId face : faces) set_of_[side][face] = static_cast<std::uint32_t>(loss_sets_[side].size());
+  loss_sets_[side].push_back({std::move(faces)});
+}
+
+void extend(Rim& rim, const Partial& partial, const Pair& pair) {
+  const Mesh& source = partial.mesh(kSource);
+  const Mesh& target = partial.mesh(kTarget);
+  auto [s, t] = pair;
+  do {
+    rim.push_back({s, t});
+    s = source.next(s);
+    t = target.next(t);
+  } while (s != pair.source);
+}
+
+}  // namespace quadmatch::exact

@@ -1,0 +1,60 @@
+#include "propagation.hpp"
+
+namespace quadmatch::exact {
+namespace {
+
+/// Exclude what lies beyond the rim and does not fit. True if anything was.
+bool exclude_misfits(Partial& partial, Rim& rim) {
+  bool excluded = false;
+  const auto open_face = [&](Side side, HalfedgeId h) {
+    return h.valid() && partial.is_open(side, partial.mesh(side).face(h));
+  };
+  std::size_t kept = 0;
+  for (const Pair& inside : rim) {
+    const Pair pair = beyond(partial, inside);
+    const bool source_open = open_face(kSource, pair.source), target_open = open_face(kTarget, pair.target);
+    if (!source_open && !target_open) continue;
+    if (source_open && target_open && partial.fits(pair)) {
+      rim[kept++] = inside;
+      continue;
+    }
+    if (source_open) partial.exclude(kSource, partial.mesh(kSource).face(pair.source));
+    if (target_open) partial.exclude(kTarget, partial.mesh(kTarget).face(pair.target));
+    excluded = true;
+  }
+  rim.resize(kept);
+  return excluded;
+}
+
+enum class Losses { Nothing, Excluded, Impossible };
+
+/// Exclude the last open face of sets that are in otherwise.
+Losses exclude_last_faces(Partial& partial) {
+  Losses losses = Losses::Nothing;
+  for (const Side side : {kSource, kTarget}) {
+    for (const LossSet& set : partial.loss_sets(side)) {
+      if (!set.unpaid() || set.in + 1 < set.faces.size()) continue;
+      if (set.in == set.faces.size()) return Losses::Impossible;
+      for (const FaceId face : set.faces) {
+        if (!partial.is_open(side, face)) continue;
+        partial.exclude(side, face);
+        losses = Losses::Excluded;
+        break;
+      }
+    }
+  }
+  return losses;
+}
+
+}  // namespace
+
+bool propagate(Partial& partial, Rim& rim) {
+  while (true) {
+    const bool excluded = exclude_misfits(partial, rim);
+    const Losses losses = exclude_last_faces(partial);
+    if (losses == Losses::Impossible) return false;
+    if (!excluded && losses == Losses::Nothing) return true;
+  }
+}
+
+}  // namespace quadmatch::exact

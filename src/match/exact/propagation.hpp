@@ -1,0 +1,17 @@
+#pragma once
+/// What follows without a choice.
+
+#include "partial.hpp"
+
+namespace quadmatch::exact {
+
+/// Exclude what cannot be in a better region that holds the partial one, to a fixed point.
+///
+/// A face beyond the rim has one possible image. Where that pair does not fit, or there is none, both faces are out:
+/// the image could only be hit from that face. Of a loss set whose other faces are all in, the last one is out.
+///
+/// @param rim  entries beyond which nothing is open are taken out.
+/// @return     false where a loss set is in whole: there is no better region here.
+bool propagate(Partial& partial, Rim& rim);
+
+}  // namespace quadmatch::exact

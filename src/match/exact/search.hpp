@@ -1,0 +1,57 @@
+#pragma once
+/// Every region that holds a partial one and is better than the best so far: found, or shown not to exist.
+
+#include <vector>
+
+#include "development.hpp"
+#include "incumbent.hpp"
+#include "partial.hpp"
+#include "sheets.hpp"
+
+namespace quadmatch::exact {
+
+class Search {
+ public:
+  Search(Partial& partial, Orientation orientation, Incumbent& incumbent, Budget& budget)
+      : partial_(partial),
+        orientation_(orientation),
+        incumbent_(incumbent),
+        budget_(budget),
+        development_(partial),
+        sheets_(partial) {}
+
+  /// Search below what is committed now, and leave it as it was.
+  /// @param rim    where the partial region can grow.
+  /// @param limit  nodes at most.
+  /// @return       true if there is no better region left below; false where the limit came first.
+  bool run(Rim rim, std::uint64_t limit);
+
+ private:
+  /// A choice that was made: the pair was taken in, and is still to be left out.
+  struct Choice {
+    Partial::Mark mark;
+    Rim rim;
+    Pair pair;
+  };
+  enum class Bound { Closed, Tighter, Open };
+  struct SideBound {
+    Bound bound;
+    std::uint32_t largest;  // size of a region below, at most
+    Pair root;              // of the first conflict
+  };
+
+  bool examine(Rim& rim, Pair& branch);
+  void offer_development();
+  Bound bound_by_reach(const Rim& rim, std::array<std::uint32_t, 2>& reach);
+  SideBound bound_side(Side side, Rim& rim, std::uint32_t reach);
+  bool force_unpacked(Side side, Rim& rim);
+
+  Partial& partial_;
+  Orientation orientation_;
+  Incumbent& incumbent_;
+  Budget& budget_;
+  Development development_;
+  Sheets sheets_;
+};
+
+}  // namespace quadmatch::exact
