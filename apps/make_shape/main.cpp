@@ -45,6 +45,7 @@ const Shape kShapes[] = {
     {"prism", "N quads between two N-gons", {3}, [](const Sizes& s) { return shapes::prism(s[0]); }},
     {"grating", "a plate with M by N holes", {1, 1}, [](const Sizes& s) { return shapes::grating(s[0], s[1]); }},
     {"dog_toy", "genus G, tubes of N rings", {1, 2}, [](const Sizes& s) { return shapes::dog_toy(s[0], s[1]); }},
+    {"cubes", "N of them, apart from each other", {1}, [](const Sizes& s) { return shapes::many_components(s[0]); }},
     {"fig_4_1", "the mesh of Fig. 4.1", {}, [](const Sizes&) { return shapes::fig_4_1().soup; }},
     {"fig_4_2",
      "that of Fig. 4.2, which has a truth: its faces in Fig. 4.1",

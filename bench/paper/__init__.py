@@ -3,7 +3,7 @@
 A part has a TITLE, an INTRODUCTION, `measure(options)`, which returns raw figures, and `page(raw)`, which makes lines of
 Markdown of them.
 """
-from paper import figures, gap, tables
+from paper import figures, future_work, gap, tables
 
 # In the order of the pages.
-PARTS = {"figures": figures, "tables": tables, "gap": gap}
+PARTS = {"figures": figures, "tables": tables, "gap": gap, "future_work": future_work}

@@ -104,7 +104,7 @@ def measure_one(job):
 def compare(options, source, target, truth, folder):
     """Exact first, then what the others reach."""
     best, told = match(options, source, target, folder, "exact", "--time-limit", SECONDS)
-    row = {"faces": len(faces_of(source)), "optimum": best_region(best), **told["exact"],
+    row = {"faces": len(faces_of(source)), "optimum": best_region(best), **told["optimality"],
            "true in optimum": true_pairs(best, truth),
            "largest true piece": largest_true_piece(faces_of(source), faces_of(target), truth)}
     for algorithm in ALGORITHMS:

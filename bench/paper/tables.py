@@ -45,7 +45,7 @@ def matched(options, source, target, algorithm, truth=None):
         row = {"milliseconds": statistics.median(each["milliseconds"]["matching"] for each in told),
                "matched": told[0]["matched_faces"]}
         if limit:
-            row |= {"proved": told[0]["exact"]["proved"], "bound": told[0]["exact"]["bound"]}
+            row |= {"proved": told[0]["optimality"]["proved"], "bound": told[0]["optimality"]["bound"]}
         if truth is not None:
             row["recall"] = recall(json.loads(file.read_text(encoding="utf-8")), truth)
         return row
