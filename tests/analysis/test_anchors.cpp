@@ -1,5 +1,8 @@
 #include <quadmatch/analysis/anchors.hpp>
 
+#include <algorithm>
+#include <vector>
+
 #include <quadmatch/shapes/renumber.hpp>
 
 #include "mesh/named_meshes.hpp"
@@ -61,6 +64,42 @@ TEST_CASE("§4.1: the search makes k rounds where no colour is unique, and takes
   CHECK(found.source_rarity == 8);
   CHECK(found.target_rarity == 8);
   CHECK_FALSE(found.anchors.empty());
+}
+
+/// A star with one more quad at the end of each particle's way: the middle alone is as before, and all it sees is not.
+PolygonSoup star_with_flaps(std::uint32_t petals, std::uint32_t depth) {
+  PolygonSoup star = shapes::star(petals, depth);
+  const Mesh mesh = test::build(star);
+  const Tracing tracing = trace_skeleton(mesh, vertex_codes(mesh));
+  std::vector<VertexId> ends;  // nodes of the skeleton where the boundary stopped a particle
+  for (const FanId node : tracing.skeleton.nodes) {
+    if (!vertex_codes(mesh)[node].extraordinary()) ends.push_back(mesh.vertex(node));
+  }
+  REQUIRE(ends.size() == petals);
+  std::vector<HalfedgeId> flapped;
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+    const HalfedgeId rim(h);
+    if (mesh.twin(rim).valid()) continue;
+    if (std::find(ends.begin(), ends.end(), mesh.origin(rim)) != ends.end()) flapped.push_back(rim);
+  }
+  star.positions.clear();
+  for (const HalfedgeId rim : flapped) {
+    const std::uint32_t v = star.vertex_count;
+    star.vertex_count += 2;
+    for (const VertexId c : {mesh.tip(rim), mesh.origin(rim), VertexId(v), VertexId(v + 1)}) star.corners.push_back(c);
+  }
+  return star;
+}
+
+TEST_CASE("§4.1: a vertex that is unique by its code alone is an anchor, even if an edit changed all it sees") {
+  const Mesh before = test::build(shapes::star(7, 3));
+  const Mesh after = test::build(star_with_flaps(7, 3));
+  const AnchorSearch found = search(before, after);
+  REQUIRE_FALSE(found.anchors.empty());
+  CHECK(found.source_rarity == 1);
+  CHECK(found.target_rarity == 1);
+  CHECK(before.origin(found.anchors.front().source) == VertexId(0));
+  CHECK(after.origin(found.anchors.front().target) == VertexId(0));
 }
 
 TEST_CASE("§4.1: without extraordinary vertices any pair will do") {
