@@ -1,0 +1,199 @@
+// Theorem 3.1: 7n quads of M1 match in M2 exactly when the graph is Hamiltonian. That they do when it is, by
+// construction; the facts from which the other half follows (docs/design/013-hardness.md), one by one.
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+#include <quadmatch/shapes/gadgets.hpp>
+#include <quadmatch/verify/verify.hpp>
+
+#include "verify/matches.hpp"
+
+namespace quadmatch {
+namespace {
+
+using shapes::Gadgets;
+
+/// Which faces are adjacent to which, ascending.
+std::vector<std::vector<std::uint32_t>> dual_graph(const Mesh& mesh) {
+  std::vector<std::vector<std::uint32_t>> neighbours(mesh.face_count());
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    for (const HalfedgeId h : mesh.halfedges(FaceId(f))) {
+      if (mesh.twin(h).valid()) neighbours[f].push_back(mesh.face(mesh.twin(h)).value);
+    }
+    std::sort(neighbours[f].begin(), neighbours[f].end());
+  }
+  return neighbours;
+}
+
+bool adjacent(const std::vector<std::vector<std::uint32_t>>& dual, std::uint32_t f, std::uint32_t g) {
+  return std::binary_search(dual[f].begin(), dual[f].end(), g);
+}
+
+/// Three faces, each adjacent to both others.
+std::set<std::set<std::uint32_t>> triangles(const std::vector<std::vector<std::uint32_t>>& dual) {
+  std::set<std::set<std::uint32_t>> found;
+  for (std::uint32_t f = 0; f < dual.size(); ++f) {
+    for (const std::uint32_t g : dual[f]) {
+      for (const std::uint32_t h : dual[f]) {
+        if (g < h && adjacent(dual, g, h)) found.insert({f, g, h});
+      }
+    }
+  }
+  return found;
+}
+
+/// §3 to the letter: a one-to-one map of faces that keeps adjacency both ways, of a connected set.
+bool is_matching_submesh(const Mesh& source, const Mesh& target, const std::vector<FacePair>& pairs) {
+  const auto from = dual_graph(source), to = dual_graph(target);
+  std::map<std::uint32_t, std::uint32_t> mu, back;
+  for (const FacePair& pair : pairs) {
+    if (!mu.emplace(pair.source.value, pair.target.value).second) return false;
+    if (!back.emplace(pair.target.value, pair.source.value).second) return false;
+  }
+  std::set<std::uint32_t> reached;
+  std::vector<std::uint32_t> stack = {pairs.front().source.value};
+  while (!stack.empty()) {
+    const std::uint32_t f = stack.back();
+    stack.pop_back();
+    if (!reached.insert(f).second) continue;
+    std::set<std::uint32_t> images, expected;
+    for (const std::uint32_t g : from[f]) {
+      if (mu.count(g) == 0) continue;
+      images.insert(mu.at(g));
+      stack.push_back(g);
+    }
+    for (const std::uint32_t g : to[mu.at(f)]) {
+      if (back.count(g) != 0) expected.insert(g);
+    }
+    if (images != expected) return false;
+  }
+  return reached.size() == pairs.size();
+}
+
+struct Instance {
+  std::string name;
+  std::uint32_t n;
+  Mesh m1, m2;
+  std::vector<FacePair> along_cycle;  ///< empty where the graph has no Hamiltonian cycle
+};
+
+std::vector<Instance> instances(Gadgets gadgets) {
+  std::vector<Instance> all;
+  for (const auto& [name, graph] : shapes::named_cubic_graphs()) {
+    const std::uint32_t n = graph.vertex_count;
+    const Expected<shapes::CubicGraphMesh> mesh = shapes::cubic_graph_mesh(graph, gadgets);
+    REQUIRE(mesh.has_value());
+    const auto cycle = shapes::hamiltonian_cycle(graph);
+    all.push_back({name, n, test::build(shapes::cycle_mesh(n, gadgets)), test::build(mesh->soup),
+                   cycle ? shapes::match_along(*cycle, graph, *mesh, gadgets) : std::vector<FacePair>()});
+  }
+  return all;
+}
+
+/// For each straight run between two turns of a closed strip of quads, how many quads it has.
+std::multiset<std::size_t> straight_runs(const Mesh& mesh, const std::vector<FaceId>& strip) {
+  std::vector<bool> turns;
+  for (std::size_t k = 0; k < strip.size(); ++k) {
+    std::vector<std::uint32_t> sides;
+    for (const HalfedgeId h : mesh.halfedges(strip[k])) {
+      if (!mesh.twin(h).valid()) continue;
+      const FaceId beyond = mesh.face(mesh.twin(h));
+      if (beyond == strip[(k + 1) % strip.size()] || beyond == strip[(k + strip.size() - 1) % strip.size()]) {
+        sides.push_back(mesh.corner(h));
+      }
+    }
+    REQUIRE(sides.size() == 2);
+    turns.push_back(sides[1] - sides[0] != 2);
+  }
+  std::rotate(turns.begin(), std::find(turns.begin(), turns.end(), true), turns.end());
+  std::multiset<std::size_t> runs;
+  std::size_t run = 0;
+  for (std::size_t k = 1; k <= turns.size(); ++k) {
+    if (!turns[k % turns.size()]) {
+      ++run;
+    } else {
+      runs.insert(run);
+      run = 0;
+    }
+  }
+  return runs;
+}
+
+TEST_CASE("Theorem 3.1, if: along a Hamiltonian cycle, 7n quads make one sound region") {
+  for (const Instance& instance : instances(Gadgets::Corners)) {
+    if (instance.along_cycle.empty()) continue;
+    INFO(instance.name);
+    Match match;
+    match.regions.push_back({.faces = instance.along_cycle});
+    test::list_vertices(instance.m1, instance.m2, match);
+    const Verdict verdict = verify(instance.m1, instance.m2, match);
+    CHECK(verdict.sound());
+    CHECK(verdict.largest_region == 7 * instance.n);
+    CHECK(is_matching_submesh(instance.m1, instance.m2, instance.along_cycle));
+  }
+}
+
+TEST_CASE("Theorem 3.1, only if: of each vertex's quads in M1 one is lost, for M2 has no three quads that all meet") {
+  for (const Instance& instance : instances(Gadgets::Corners)) {
+    INFO(instance.name);
+    CHECK(triangles(dual_graph(instance.m2)).empty());
+    std::set<std::set<std::uint32_t>> expected;
+    for (std::uint32_t f = 0; f < 8 * instance.n; f += 8) {
+      expected.insert({f, f + 1, f + 2});
+      expected.insert({f + 1, f + 2, f + 3});
+    }
+    CHECK(triangles(dual_graph(instance.m1)) == expected);
+  }
+}
+
+TEST_CASE(
+    "Theorem 3.1, only if: what is left of M1 runs 4, 6 or 8 quads straight on, but a way round a whole ring one") {
+  // The five quads by which a ring may be passed the long way, and the chains before and behind them.
+  const Instance cube = std::move(instances(Gadgets::Corners)[2]);
+  REQUIRE(cube.name == "cube");
+  std::vector<FaceId> left;
+  for (const FacePair& pair : cube.along_cycle) left.push_back(pair.source);
+  const std::multiset<std::size_t> runs = straight_runs(cube.m1, left);
+  CHECK(runs.size() == cube.n);
+  CHECK(std::all_of(runs.begin(), runs.end(), [](std::size_t run) { return run == 4 || run == 6 || run == 8; }));
+  const std::vector<FaceId> ring = {FaceId(0), FaceId(1), FaceId(2), FaceId(3), FaceId(4), FaceId(5)};
+  CHECK(straight_runs(cube.m2, ring) == std::multiset<std::size_t>{1, 1, 1});
+}
+
+TEST_CASE("Theorem 3.1 to the letter of §3, if: along a Hamiltonian cycle adjacency is kept both ways by 7n quads") {
+  for (const Instance& instance : instances(Gadgets::Adjacency)) {
+    if (instance.along_cycle.empty()) continue;
+    INFO(instance.name);
+    CHECK(instance.along_cycle.size() == 7 * instance.n);
+    CHECK(is_matching_submesh(instance.m1, instance.m2, instance.along_cycle));
+    Match match;
+    match.regions.push_back({.faces = instance.along_cycle});
+    CHECK_FALSE(verify(instance.m1, instance.m2, match).sound());
+  }
+}
+
+TEST_CASE(
+    "Theorem 3.1 to the letter of §3, only if: three quads that all meet are a vertex, and no quad has three loose "
+    "ends") {
+  for (const Instance& instance : instances(Gadgets::Adjacency)) {
+    INFO(instance.name);
+    const auto dual = dual_graph(instance.m2);
+    std::set<std::set<std::uint32_t>> vertices;
+    for (std::uint32_t f = 0; f < 3 * instance.n; f += 3) vertices.insert({f, f + 1, f + 2});
+    CHECK(triangles(dual) == vertices);
+    // "the quads in an edge submesh of M1 can match at most 2 quads in a vertex submesh of M2", as a chain has no three
+    // quads that all meet; and where a quad has three neighbours, two of them are adjacent.
+    for (const std::vector<std::uint32_t>& around : dual) {
+      CHECK(around.size() <= 3);
+      if (around.size() < 3) continue;
+      CHECK((adjacent(dual, around[0], around[1]) || adjacent(dual, around[0], around[2]) ||
+             adjacent(dual, around[1], around[2])));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace quadmatch
