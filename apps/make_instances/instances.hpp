@@ -1,6 +1,7 @@
 #pragma once
 /// What make_instances writes, kind by kind. Each prints one line of JSON for each pair that it writes.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,14 @@ struct GadgetArguments {
 };
 
 [[nodiscard]] Expected<void> make_gadgets(const GadgetArguments& arguments);
+
+struct PlantedArguments {
+  std::string folder;
+  /// Seeds first ... first + count - 1; those for which there is no room are passed over.
+  std::uint64_t first = 1;
+  std::uint32_t count = 10;
+};
+
+[[nodiscard]] Expected<void> make_planted(const PlantedArguments& arguments);
 
 }  // namespace quadmatch

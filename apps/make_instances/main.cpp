@@ -33,6 +33,23 @@ void add_gadgets(CLI::App& app, GadgetArguments& arguments) {
   command->footer(kGadgetsHelp);
 }
 
+constexpr const char* kPlantedHelp =
+    "For each seed: planted-SEED-source.obj, a grid, tube, torus or sphere, planted-SEED-target.obj, the same with a "
+    "few "
+    "places changed and renumbered, and planted-SEED-match.json, all that one region can hold of what is the same. The "
+    "line printed tells the measured boundary complexity delta of the changed places and the width epsilon of what "
+    "lies "
+    "between them, in quads, and two anchors: one in the middle of a corridor, one anywhere.\n\n"
+    "Example:\n  make_instances planted build/planted --first 1 --count 20";
+
+void add_planted(CLI::App& app, PlantedArguments& arguments) {
+  CLI::App* command = app.add_subcommand("planted", "Meshes with mismatches of known size and distance (Section 5)");
+  command->add_option("FOLDER", arguments.folder, "Where they go; made if it is missing")->required();
+  command->add_option("--first", arguments.first, "The first seed")->capture_default_str();
+  command->add_option("--count", arguments.count, "How many seeds")->capture_default_str();
+  command->footer(kPlantedHelp);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -40,12 +57,15 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   GadgetArguments gadgets;
   add_gadgets(app, gadgets);
+  PlantedArguments planted;
+  add_planted(app, planted);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kTrouble;
   }
-  if (const Expected<void> made = make_gadgets(gadgets); !made) {
+  const Expected<void> made = app.got_subcommand("gadgets") ? make_gadgets(gadgets) : make_planted(planted);
+  if (!made) {
     fmt::print(stderr, "make_instances: {}\n", made.error().describe());
     return kTrouble;
   }
