@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include <quadmatch/match/exact.hpp>
 #include <quadmatch/shapes/gadgets.hpp>
 #include <quadmatch/verify/verify.hpp>
 
@@ -161,6 +162,50 @@ TEST_CASE(
   CHECK(std::all_of(runs.begin(), runs.end(), [](std::size_t run) { return run == 4 || run == 6 || run == 8; }));
   const std::vector<FaceId> ring = {FaceId(0), FaceId(1), FaceId(2), FaceId(3), FaceId(4), FaceId(5)};
   CHECK(straight_runs(cube.m2, ring) == std::multiset<std::size_t>{1, 1, 1});
+}
+
+/// The instance of a graph.
+const Instance& of_graph(const std::vector<Instance>& all, const std::string& name) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Instance& one) { return one.name == name; });
+  REQUIRE(found != all.end());
+  return *found;
+}
+
+TEST_CASE("Theorem 3.1: in Hamiltonian graphs the largest region has 7n quads, as exact search proves") {
+  const std::vector<Instance> all = instances(Gadgets::Corners);
+  for (const char* name : {"k4", "prism"}) {
+    INFO(name);
+    const Instance& instance = of_graph(all, name);
+    const LargestRegion largest = largest_region(instance.m1, instance.m2);
+    CHECK(largest.optimality.proved);
+    CHECK(largest.optimality.bound == 7 * instance.n);
+    CHECK(verify(instance.m1, instance.m2, largest.match).sound());
+  }
+}
+
+TEST_CASE("Theorem 3.2: is there a region of 7n quads? Exact search says yes of the cube") {
+  const std::vector<Instance> all = instances(Gadgets::Corners);
+  const Instance& cube = of_graph(all, "cube");
+  const LargestRegion found = largest_region(cube.m1, cube.m2, {.at_least = 7 * cube.n});
+  CHECK(found.optimality.decision == Decision::Yes);
+  CHECK(found.match.matched_faces() == 7 * cube.n);
+}
+
+TEST_CASE(
+    "Theorem 3.2: is there a region of 7n quads? Exact search says no of a graph with a bridge, and that 7n - 1 is "
+    "all") {
+  const std::vector<Instance> all = instances(Gadgets::Corners);
+  const Instance& bridged = of_graph(all, "bridged");
+  const LargestRegion found = largest_region(bridged.m1, bridged.m2, {.at_least = 7 * bridged.n});
+  CHECK(found.optimality.decision == Decision::No);
+  CHECK(found.optimality.bound == 7 * bridged.n - 1);
+}
+
+TEST_CASE(
+    "Theorem 3.1: three quads about a vertex are not enough where corners count: K4 has no region of 7n quads then") {
+  const std::vector<Instance> all = instances(Gadgets::Adjacency);
+  const Instance& k4 = of_graph(all, "k4");
+  CHECK(largest_region(k4.m1, k4.m2, {.at_least = 7 * k4.n}).optimality.decision == Decision::No);
 }
 
 TEST_CASE("Theorem 3.1 to the letter of §3, if: along a Hamiltonian cycle adjacency is kept both ways by 7n quads") {
