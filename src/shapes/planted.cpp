@@ -197,7 +197,7 @@ PlantedOptions random_planted_options(std::uint64_t seed) {
   options.places = 1 + random.below(4);
   options.size = 1 + random.below(3);
   // Mismatches of size 1, 2, 3 have a rim of 4 ... 8, 10, 12 edges.
-  options.gap = 2 + random.below(3 * (4 + options.size));
+  options.gap = 1 + random.below(2 * (5 + options.size));
   const std::uint32_t cell = options.gap + 2 * options.size + 4;
   const bool two_rows = options.places > 2;
   options.width = cell * (two_rows ? 3 : 1 + options.places) + random.below(options.gap);
