@@ -139,7 +139,7 @@ std::size_t drop_unlikely(Workbench& bench) {
   const std::vector<std::vector<HalfedgeId>> faces = faces_by_region(bench);
   Judge judge(bench);
   std::vector<Group> doubtful;
-  for (const std::uint32_t region : largest_first(faces)) doubtful.push_back({region});
+  for (const auto& [region, count] : largest_first(bench.patchwork)) doubtful.push_back({region});
   const auto judge_all = [&] {
     std::vector<Candidate> pairs;
     // Belief spreads from region to region. Garbage speaks for garbage, so only what is believed is heard.

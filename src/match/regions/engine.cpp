@@ -52,7 +52,8 @@ class Engine {
         patchwork_(sides.source.mesh, sides.target.mesh),
         misfit_(sides, options.positions),
         ghost_(sides, patchwork_),
-        bench_{sides, patchwork_, misfit_, ghost_},
+        rim_(sides, patchwork_),
+        bench_{sides, patchwork_, misfit_, ghost_, rim_},
         with_lengths_(colour_both(sides, true)) {}
 
   Outcome run(const std::vector<Anchor>& anchors) {
@@ -206,6 +207,7 @@ class Engine {
   Patchwork patchwork_;
   Misfit misfit_;
   Ghost ghost_;
+  Rim rim_;
   Workbench bench_;
   ColouredSpokes with_lengths_;
   std::vector<std::uint32_t> pinned_;

@@ -41,12 +41,7 @@ class Islands {
   [[nodiscard]] bool is_free_target(FaceId target_face) const { return !bench_.patchwork.is_taken(target_face); }
 
   void gather_landings() {
-    const std::vector<HalfedgeId> history = bench_.patchwork.history();
-    PerFace<bool> done(source_.face_count(), false);
-    for (const HalfedgeId entry : history) {
-      const FaceId face = source_.face(entry);
-      if (is_free(face) || done[face]) continue;
-      done[face] = true;
+    for (const HalfedgeId entry : bench_.rim.entries()) {
       HalfedgeId s = entry, t = bench_.patchwork.image(entry);
       do {
         if (!bench_.misfit.uses_lengths()) land_beside({s, t});
@@ -141,10 +136,7 @@ class Islands {
     std::uint32_t count = 0;
     auto [s, t] = pair;
     do {
-      const HalfedgeId beside = source_.twin(s), beside_target = target_.twin(t);
-      const bool matched = beside.valid() && !is_free(source_.face(beside));
-      const bool taken = beside_target.valid() && !is_free_target(target_.face(beside_target));
-      count += (matched || taken) && !(matched && bench_.patchwork.image(beside) == beside_target);
+      count += bench_.patchwork.beyond(s, t) == Beyond::Elsewhere;
       s = source_.next(s);
       t = target_.next(t);
     } while (s != pair.source);

@@ -1,6 +1,7 @@
 #include "mending.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace quadmatch::regions {
 
@@ -17,13 +18,13 @@ std::vector<std::vector<HalfedgeId>> faces_by_region(const Workbench& bench) {
   return faces;
 }
 
-std::vector<std::uint32_t> largest_first(const std::vector<std::vector<HalfedgeId>>& faces) {
-  std::vector<std::uint32_t> regions;
-  for (std::uint32_t region = 0; region < faces.size(); ++region) {
-    if (!faces[region].empty()) regions.push_back(region);
+std::vector<SizedRegion> largest_first(const Patchwork& patchwork) {
+  std::vector<SizedRegion> regions;
+  for (std::uint32_t region = 0; region < patchwork.region_count(); ++region) {
+    if (const std::uint32_t faces = patchwork.faces_of_region(region); faces > 0) regions.push_back({region, faces});
   }
   std::stable_sort(regions.begin(), regions.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return faces[a].size() > faces[b].size(); });
+                   [](const SizedRegion& a, const SizedRegion& b) { return a.faces > b.faces; });
   return regions;
 }
 
@@ -31,12 +32,9 @@ namespace {
 
 /// How many faces beside a matched one lie beside its image?
 int neighbours_in_place(const Workbench& bench, FaceId face) {
-  const Mesh& source = bench.sides.source.mesh;
   int count = 0;
-  for (const HalfedgeId h : source.halfedges(face)) {
-    const HalfedgeId beside = source.twin(h);
-    count += beside.valid() && bench.patchwork.is_matched(source.face(beside)) &&
-             bench.patchwork.image(beside) == bench.sides.target.mesh.twin(bench.patchwork.image(h));
+  for (const HalfedgeId h : bench.sides.source.mesh.halfedges(face)) {
+    count += bench.patchwork.beyond(h, bench.patchwork.image(h)) == Beyond::InPlace;
   }
   return count;
 }
@@ -44,15 +42,20 @@ int neighbours_in_place(const Workbench& bench, FaceId face) {
 }  // namespace
 
 std::size_t drop_misfits(Workbench& bench) {
-  constexpr int kEnough = 2;  // neighbours that hold a face, however badly it fits
+  constexpr int kEnough = 2;  // neighbours that hold a face, however badly it fits: all of those within a region
   const Mesh& source = bench.sides.source.mesh;
+  std::set<FaceId> doubtful;
+  for (const HalfedgeId entry : bench.rim.entries()) doubtful.insert(source.face(entry));
   std::size_t dropped = 0;
-  for (std::uint32_t f = 0; f < source.face_count(); ++f) {
-    if (!bench.patchwork.is_matched(FaceId(f))) continue;
-    if (bench.misfit.present_cost(bench.patchwork, FaceId(f)) <= Misfit::kUnmatched) continue;
-    if (neighbours_in_place(bench, FaceId(f)) >= kEnough) continue;
-    bench.patchwork.lift(FaceId(f));
+  for (const FaceId face : doubtful) {
+    if (!bench.patchwork.is_matched(face) || neighbours_in_place(bench, face) >= kEnough) continue;
+    if (bench.misfit.present_cost(bench.patchwork, face) <= Misfit::kUnmatched) continue;
+    bench.patchwork.lift(face);
     ++dropped;
+    for (const HalfedgeId h : source.halfedges(face)) {
+      // One that has passed already was held by this one; the next round will see it.
+      if (const HalfedgeId beside = source.twin(h); beside.valid()) doubtful.insert(source.face(beside));
+    }
   }
   return dropped;
 }

@@ -9,6 +9,7 @@
 #include "ghost.hpp"
 #include "misfit.hpp"
 #include "patchwork.hpp"
+#include "rim.hpp"
 #include "vertex_grid.hpp"
 
 namespace quadmatch::regions {
@@ -19,14 +20,18 @@ struct Workbench {
   Patchwork& patchwork;
   Misfit& misfit;
   Ghost& ghost;
+  Rim& rim;
   std::optional<VertexGrid> target_grid = std::nullopt;  ///< once it was asked where the source lies
 };
 
 /// The entry half-edges of each region's faces, in the order in which they were matched.
 [[nodiscard]] std::vector<std::vector<HalfedgeId>> faces_by_region(const Workbench& bench);
 
-/// Region numbers, from the most faces to the fewest; those without faces are left out.
-[[nodiscard]] std::vector<std::uint32_t> largest_first(const std::vector<std::vector<HalfedgeId>>& faces);
+struct SizedRegion {
+  std::uint32_t number, faces;
+};
+/// The regions, from the most faces to the fewest; those without faces are left out.
+[[nodiscard]] std::vector<SizedRegion> largest_first(const Patchwork& patchwork);
 
 /// For each region, what Patchwork::changes() was when its seams were last found to be where they belong.
 using SeamsAtRest = std::vector<std::uint32_t>;

@@ -38,6 +38,10 @@ using Candidate = Anchor;
   return HalfedgeId(start + (h.value - start + steps) % mesh.size(face));
 }
 
+/// What is beyond an edge: a face that lies on the one beyond the other edge; or one that is matched otherwise, in
+/// either mesh; or none that is matched.
+enum class Beyond : std::uint8_t { InPlace, Elsewhere, Free };
+
 /// Pairs of faces, each of a region. No face is in two pairs; beyond that nothing is promised.
 class Patchwork {
  public:
@@ -54,9 +58,11 @@ class Patchwork {
   [[nodiscard]] bool is_matched(FaceId source_face) const { return image_of_first_[source_face].valid(); }
   [[nodiscard]] bool is_taken(FaceId target_face) const { return origin_[target_face].valid(); }
   [[nodiscard]] std::size_t matched_faces() const { return matched_; }
-  /// How often a face was laid or lifted: nothing changes while this does not.
-  [[nodiscard]] std::uint32_t changes() const { return changes_; }
-  /// What changes() was when a source face was last laid or lifted; 0 if never.
+  /// The source faces that were laid, lifted or given to another region, each time that it happened.
+  [[nodiscard]] const std::vector<FaceId>& changed() const { return changed_; }
+  /// How many these are: nothing changes while this does not.
+  [[nodiscard]] std::uint32_t changes() const { return static_cast<std::uint32_t>(changed_.size()); }
+  /// What changes() was after a source face last changed; 0 if it never did.
   [[nodiscard]] std::uint32_t changed_at(FaceId source_face) const { return changed_at_[source_face]; }
 
   /// The half-edge on which h lies. @pre its face is matched.
@@ -73,11 +79,31 @@ class Patchwork {
   }
   [[nodiscard]] FaceId origin(FaceId target_face) const { return origin_[target_face]; }
   [[nodiscard]] std::uint32_t region(FaceId source_face) const { return region_[source_face]; }
-  void set_region(FaceId source_face, std::uint32_t region) { region_[source_face] = region; }
+  void set_region(FaceId source_face, std::uint32_t region) {
+    if (region_[source_face] == region) return;
+    --faces_of_region_[region_[source_face]];
+    ++faces_of_region_[region];
+    region_[source_face] = region;
+    note_change(source_face);
+  }
+  /// What is beyond an edge of a pair of faces that lie on each other, or may: (s, t) are half-edges of theirs.
+  [[nodiscard]] Beyond beyond(HalfedgeId s, HalfedgeId t) const {
+    const HalfedgeId beside = source_.twin(s), beside_target = target_.twin(t);
+    if (beside.valid() && is_matched(source_.face(beside))) {
+      return image(beside) == beside_target ? Beyond::InPlace : Beyond::Elsewhere;
+    }
+    const bool taken = beside_target.valid() && is_taken(target_.face(beside_target));
+    return taken ? Beyond::Elsewhere : Beyond::Free;
+  }
   /// A number that no region has had.
-  [[nodiscard]] std::uint32_t fresh_region() { return region_count_++; }
+  [[nodiscard]] std::uint32_t fresh_region() {
+    faces_of_region_.push_back(0);
+    return region_count() - 1;
+  }
   /// One more than the largest region number.
-  [[nodiscard]] std::uint32_t region_count() const { return region_count_; }
+  [[nodiscard]] std::uint32_t region_count() const { return static_cast<std::uint32_t>(faces_of_region_.size()); }
+  /// How many faces a region has.
+  [[nodiscard]] std::uint32_t faces_of_region(std::uint32_t region) const { return faces_of_region_[region]; }
   /// The half-edges through which faces were matched, in order. Faces lifted since stand in it still, and twice if they
   /// were laid again.
   [[nodiscard]] const std::vector<HalfedgeId>& history() const { return history_; }
@@ -93,30 +119,37 @@ class Patchwork {
     image_of_first_[face] = turned(target_, pair.target, source_.size(face) - source_.corner(pair.source));
     origin_[target_.face(pair.target)] = face;
     region_[face] = region;
+    ++faces_of_region_[region];
     history_.push_back(pair.source);
-    changed_at_[face] = ++changes_;
+    note_change(face);
     ++matched_;
   }
   /// @pre the face is matched.
   void lift(FaceId source_face) {
     origin_[image(source_face)] = FaceId();
     image_of_first_[source_face] = HalfedgeId();
+    --faces_of_region_[region_[source_face]];
     region_[source_face] = kNoRegion;
-    changed_at_[source_face] = ++changes_;
+    note_change(source_face);
     --matched_;
   }
 
  private:
+  void note_change(FaceId source_face) {
+    changed_.push_back(source_face);
+    changed_at_[source_face] = changes();
+  }
+
   const Mesh& source_;
   const Mesh& target_;
   PerFace<HalfedgeId> image_of_first_;  // of each source face, the image of its first half-edge
   PerFace<FaceId> origin_;              // of each target face
   PerFace<std::uint32_t> region_;       // of each source face
   std::vector<HalfedgeId> history_;
-  std::uint32_t region_count_ = 0;
+  std::vector<std::uint32_t> faces_of_region_;
   std::size_t matched_ = 0;
+  std::vector<FaceId> changed_;
   PerFace<std::uint32_t> changed_at_;  // of each source face
-  std::uint32_t changes_ = 0;
 };
 
 }  // namespace quadmatch::regions

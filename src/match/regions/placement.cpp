@@ -89,7 +89,7 @@ std::optional<Similarity> find_placement(const Workbench& bench, const VertexGri
   const std::vector<std::vector<HalfedgeId>> faces = faces_by_region(bench);
   std::vector<HalfedgeId> all;
   std::size_t taken = 0;
-  for (const std::uint32_t region : largest_first(faces)) {
+  for (const auto& [region, count] : largest_first(bench.patchwork)) {
     all.insert(all.end(), faces[region].begin(), faces[region].end());
     if (taken++ < kMostRegions) add(faces[region]);
   }

@@ -9,10 +9,9 @@ namespace {
 
 constexpr int kPasses = 2;
 
-/// The faces of a region that have changed since, or that lie beside one that has: where else its map could be carried
-/// on was tried then.
-std::vector<HalfedgeId> changed_faces(const Workbench& bench, const std::vector<HalfedgeId>& faces,
-                                      std::uint32_t since) {
+/// The faces at a region's rim that have changed since, or that lie beside one that has: where else its map could be
+/// carried on was tried then.
+std::vector<HalfedgeId> changed_rim(Workbench& bench, std::uint32_t region, std::uint32_t since) {
   const Mesh& source = bench.sides.source.mesh;
   const auto has_changed = [&](FaceId face) { return bench.patchwork.changed_at(face) > since; };
   const auto is_near = [&](FaceId face) {
@@ -21,12 +20,11 @@ std::vector<HalfedgeId> changed_faces(const Workbench& bench, const std::vector<
     }
     return false;
   };
-  if (since == 0) return faces;
-  std::vector<HalfedgeId> changed;
-  for (const HalfedgeId entry : faces) {
-    if (const FaceId face = source.face(entry); has_changed(face) || is_near(face)) changed.push_back(entry);
-  }
-  return changed;
+  std::vector<HalfedgeId> rim = bench.rim.entries(region);
+  if (since == 0) return rim;
+  std::erase_if(rim,
+                [&](HalfedgeId entry) { return !has_changed(source.face(entry)) && !is_near(source.face(entry)); });
+  return rim;
 }
 
 }  // namespace
@@ -34,13 +32,10 @@ std::vector<HalfedgeId> changed_faces(const Workbench& bench, const std::vector<
 std::size_t move_seams(Workbench& bench, SeamsAtRest& rest) {
   std::size_t changed = 0;
   for (int pass = 0; pass < kPasses; ++pass) {
-    const std::vector<std::vector<HalfedgeId>> faces = faces_by_region(bench);
     std::size_t changed_now = 0;
-    rest.resize(faces.size(), 0);
-    for (const std::uint32_t region : largest_first(faces)) {
-      const std::vector<HalfedgeId> from = changed_faces(bench, faces[region], rest[region]);
-      if (from.empty()) continue;
-      extend_region(bench, from, region, most_faces_beyond(faces[region].size()));
+    rest.resize(bench.patchwork.region_count(), 0);
+    for (const auto& [region, faces] : largest_first(bench.patchwork)) {
+      extend_region(bench, changed_rim(bench, region, rest[region]), region, most_faces_beyond(faces));
       const std::size_t changed_here = expand(bench, region);
       if (changed_here == 0) rest[region] = bench.patchwork.changes();
       changed_now += changed_here;

@@ -30,10 +30,7 @@ class Slivers {
 
   std::size_t match() {
     const std::size_t before = patchwork_.matched_faces();
-    const std::vector<HalfedgeId> rim = patchwork_.history();
-    for (const HalfedgeId entry : rim) {
-      if (patchwork_.is_matched(source_.face(entry))) propose_neighbours(entry);
-    }
+    for (const HalfedgeId entry : bench_.rim.entries()) propose_neighbours(entry);
     while (!proposals_.empty()) {
       const Proposal best = proposals_.top();
       proposals_.pop();
@@ -71,12 +68,8 @@ class Slivers {
     double worth = 0;
     auto [s, t] = pair;
     do {
-      const HalfedgeId beside = source_.twin(s), beside_target = target_.twin(t);
-      if (beside.valid() && patchwork_.is_matched(source_.face(beside))) {
-        worth += patchwork_.image(beside) == beside_target ? 1.0 : -0.5;
-      } else if (beside_target.valid() && patchwork_.is_taken(target_.face(beside_target))) {
-        worth -= 0.5;
-      }
+      const Beyond beyond = patchwork_.beyond(s, t);
+      worth += beyond == Beyond::InPlace ? 1.0 : beyond == Beyond::Elsewhere ? -0.5 : 0;
       s = source_.next(s);
       t = target_.next(t);
     } while (s != pair.source);
@@ -87,10 +80,8 @@ class Slivers {
   [[nodiscard]] std::uint32_t region_for(Candidate pair) {
     auto [s, t] = pair;
     do {
-      const HalfedgeId beside = source_.twin(s);
-      if (beside.valid() && patchwork_.is_matched(source_.face(beside)) &&
-          patchwork_.image(beside) == target_.twin(t)) {
-        const std::uint32_t region = patchwork_.region(source_.face(beside));
+      if (patchwork_.beyond(s, t) == Beyond::InPlace) {
+        const std::uint32_t region = patchwork_.region(source_.face(source_.twin(s)));
         bench_.ghost.restart(region);
         if (bench_.ghost.fits(pair)) return region;
       }

@@ -15,9 +15,10 @@ constexpr double kVote = 1.0, kAgainst = 0.5;
 
 }  // namespace
 
-const std::vector<Candidate>& Venture::from_region(const std::vector<HalfedgeId>& faces, std::uint32_t region) {
+const std::vector<Candidate>& Venture::from_region(std::uint32_t region) {
   begin(region);
-  for (const HalfedgeId entry : faces) push_neighbours({entry, bench_.patchwork.image(entry)}, kNone, kMostBelief);
+  for (const HalfedgeId entry : bench_.rim.entries(region))
+    push_neighbours({entry, bench_.patchwork.image(entry)}, kNone, kMostBelief);
   grow(source_.face_count());
   cut_back();
   return kept_;
@@ -72,14 +73,11 @@ double Venture::score(Candidate pair) const {
   auto [s, t] = pair;
   do {
     if (!bench_.ghost.knows(s)) score += likelihood_.of_vertex(source_.origin(s), target_.origin(t));
-    const HalfedgeId beside = source_.twin(s), beside_target = target_.twin(t);
-    if (beside.valid() && bench_.patchwork.is_matched(source_.face(beside))) {
-      if (!bench_.ghost.covers(source_.face(beside))) {
-        score += bench_.patchwork.image(beside) == beside_target ? kVote : -kAgainst;
-      }
-    } else if (beside_target.valid() && bench_.patchwork.is_taken(target_.face(beside_target))) {
-      score -= kAgainst;
-    }
+    const HalfedgeId beside = source_.twin(s);
+    const bool is_own = beside.valid() && bench_.patchwork.is_matched(source_.face(beside)) &&
+                        bench_.ghost.covers(source_.face(beside));
+    const Beyond beyond = is_own ? Beyond::Free : bench_.patchwork.beyond(s, t);
+    score += beyond == Beyond::InPlace ? kVote : beyond == Beyond::Elsewhere ? -kAgainst : 0;
     s = source_.next(s);
     t = target_.next(t);
   } while (s != pair.source);
@@ -108,9 +106,8 @@ std::size_t venture_on(Workbench& bench) {
   const std::size_t before = bench.patchwork.matched_faces();
   const Likelihood likelihood(bench);
   Venture venture(bench, likelihood);
-  const std::vector<std::vector<HalfedgeId>> faces = faces_by_region(bench);
-  for (const std::uint32_t region : largest_first(faces)) {
-    for (const Candidate& pair : venture.from_region(faces[region], region)) bench.patchwork.lay(pair, region);
+  for (const auto& [region, faces] : largest_first(bench.patchwork)) {
+    for (const Candidate& pair : venture.from_region(region)) bench.patchwork.lay(pair, region);
   }
   bench.ghost.restart();
   return bench.patchwork.matched_faces() - before;

@@ -16,9 +16,8 @@ class Venture {
   Venture(Workbench& bench, const Likelihood& likelihood) : bench_(bench), likelihood_(likelihood) {}
 
   /// Carry a region's map on, in the bench's ghost.
-  /// @param faces  entry half-edges of its faces.
-  /// @return       the pairs worth keeping; together with the region they are sound.
-  const std::vector<Candidate>& from_region(const std::vector<HalfedgeId>& faces, std::uint32_t region);
+  /// @return  the pairs worth keeping; together with the region they are sound.
+  const std::vector<Candidate>& from_region(std::uint32_t region);
   /// Begin anew. @return the pairs worth keeping; none if the seed does not fit, or nothing speaks for it.
   const std::vector<Candidate>& from_seed(Candidate seed, std::size_t most_faces);
   /// What speaks for the pairs kept last, a logarithm of likelihoods.
