@@ -6,7 +6,6 @@
 
 #include <quadmatch/analysis/skeleton.hpp>
 #include <quadmatch/analysis/vertex_code.hpp>
-#include <quadmatch/mesh/components.hpp>
 
 #include "mirror.hpp"
 #include "regions/assemble.hpp"
@@ -45,21 +44,38 @@ Match match_mirrored(const Analysis& source, const Mesh& target, MatchOptions op
   return match_laid(source, Analysis(mirror), options, Orientation::Reversing);
 }
 
-/// The faces of one mesh, by component: which components have no face in a match.
-PerFace<bool> in_free_components(const Mesh& mesh, const Match& match, FaceId FacePair::*side) {
-  const Components components = connected_components(mesh);
-  std::vector<bool> touched(components.face_count.size(), false);
+/// The faces of those components of a mesh that have no face in a match.
+std::vector<FaceId> in_free_components(const Mesh& mesh, const Match& match, FaceId FacePair::*side) {
+  PerFace<bool> seen(mesh.face_count(), false), matched(mesh.face_count(), false);
   for (const Region& region : match.regions) {
-    for (const FacePair& pair : region.faces) touched[components.of_face[pair.*side]] = true;
+    for (const FacePair& pair : region.faces) seen[pair.*side] = matched[pair.*side] = true;
   }
-  PerFace<bool> free(mesh.face_count(), false);
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) free[FaceId(f)] = !touched[components.of_face[FaceId(f)]];
-  return free;
+  std::vector<FaceId> faces;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    if (seen[FaceId(f)]) continue;
+    // Flood what is free from here on: a component of its own, unless it meets what is matched.
+    bool meets_match = false;
+    const std::size_t first = faces.size();
+    faces.push_back(FaceId(f));
+    seen[FaceId(f)] = true;
+    for (std::size_t here = first; here < faces.size(); ++here) {
+      for (const HalfedgeId h : mesh.halfedges(faces[here])) {
+        const HalfedgeId beside = mesh.twin(h);
+        if (!beside.valid()) continue;
+        const FaceId other = mesh.face(beside);
+        meets_match = meets_match || matched[other];
+        if (seen[other]) continue;
+        seen[other] = true;
+        faces.push_back(other);
+      }
+    }
+    if (meets_match) faces.resize(first);
+  }
+  return faces;
 }
 
 bool has_free_component(const Mesh& mesh, const Match& match, FaceId FacePair::*side) {
-  const PerFace<bool> free = in_free_components(mesh, match, side);
-  return std::find(free.begin(), free.end(), true) != free.end();
+  return !in_free_components(mesh, match, side).empty();
 }
 
 /// Is the mirror worth a look: is a quarter left unmatched, or a whole component of each mesh, or anything at all where
@@ -153,8 +169,13 @@ bool mirror_is_better(const Match& mirrored, const Misshape& mirrored_off, const
 
 /// Take those regions of another match into components that this one left wholly free.
 void fill_free_components(Match& match, const Match& other, const Mesh& source, const Mesh& target) {
-  const PerFace<bool> source_free = in_free_components(source, match, &FacePair::source);
-  const PerFace<bool> target_free = in_free_components(target, match, &FacePair::target);
+  const auto is_in_free = [&](const Mesh& mesh, FaceId FacePair::*side) {
+    PerFace<bool> is_in(mesh.face_count(), false);
+    for (const FaceId face : in_free_components(mesh, match, side)) is_in[face] = true;
+    return is_in;
+  };
+  const PerFace<bool> source_free = is_in_free(source, &FacePair::source);
+  const PerFace<bool> target_free = is_in_free(target, &FacePair::target);
   for (const Region& region : other.regions) {
     const bool fits = std::all_of(region.faces.begin(), region.faces.end(), [&](const FacePair& pair) {
       return source_free[pair.source] && target_free[pair.target];

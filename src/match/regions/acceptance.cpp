@@ -1,6 +1,7 @@
 // The last judgement: a region stays if chance could not agree so often, or if neighbours that stay speak for it.
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "hops.hpp"
@@ -21,19 +22,18 @@ struct Testimony {
 
 class Judge {
  public:
-  explicit Judge(Workbench& bench)
-      : bench_(bench), likelihood_(bench, true), believed_(bench.patchwork.region_count(), false) {}
+  explicit Judge(Workbench& bench) : bench_(bench), believed_(bench.patchwork.region_count(), false) {}
 
   void believe(std::uint32_t region) { believed_[region] = true; }
-  /// By its own evidence and what believed regions say of it.
+  /// By its own evidence and what believed regions say of it. Each of these is enough; the cheapest first.
   [[nodiscard]] bool believes(const std::vector<Candidate>& pairs) {
+    if (has_evidence(pairs) || is_pinned(pairs)) return true;
     const Testimony testimony = hear(pairs);
-    const double speaks = likelihood_.of(pairs);
-    const double needed = likelihood_.log_places() * (bench_.misfit.uses_lengths() ? 1 : 2);
-    if (speaks + kVote * testimony.votes + kHopVote * testimony.hop_votes >= needed) return true;
+    if (testimony.votes + 0.67 * testimony.hop_votes >= 2) return true;
     if (testimony.whole_component && disagreeing(pairs) == 0) return true;
-    if (testimony.votes + 0.67 * testimony.hop_votes >= 2 || is_pinned(pairs)) return true;
-    return has_evidence(pairs);
+    if (!likelihood_) likelihood_.emplace(bench_, true);
+    const double needed = likelihood_->log_places() * (bench_.misfit.uses_lengths() ? 1 : 2);
+    return likelihood_->of(pairs) + kVote * testimony.votes + kHopVote * testimony.hop_votes >= needed;
   }
 
  private:
@@ -91,7 +91,7 @@ class Judge {
   }
 
   Workbench& bench_;
-  Likelihood likelihood_;
+  std::optional<Likelihood> likelihood_;  // learnt when it is first asked
   std::vector<bool> believed_;
   const Mesh& source_ = bench_.sides.source.mesh;
   const Mesh& target_ = bench_.sides.target.mesh;

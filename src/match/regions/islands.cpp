@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "hops.hpp"
@@ -18,7 +19,9 @@ struct Landing {
 
 class Islands {
  public:
-  explicit Islands(Workbench& bench) : bench_(bench), likelihood_(bench), landing_of_(source_.face_count(), kNone) {}
+  explicit Islands(Workbench& bench) : bench_(bench), landing_of_(source_.face_count(), kNone) {
+    if (!bench.misfit.uses_lengths()) likelihood_.emplace(bench);
+  }
 
   std::size_t match() {
     const std::size_t before = bench_.patchwork.matched_faces();
@@ -127,7 +130,7 @@ class Islands {
   [[nodiscard]] double worth_by_evidence() {
     constexpr double kVote = 2.0, kAgainst = 1.0, kEnough = 3.0;
     const std::vector<Candidate>& pairs = bench_.ghost.pairs();
-    double worth = likelihood_.of(pairs);
+    double worth = likelihood_->of(pairs);
     for (const Candidate& pair : pairs) worth += kVote * votes_for(pair) - kAgainst * contradictions(pair);
     return worth >= kEnough ? worth : 0;
   }
@@ -144,7 +147,7 @@ class Islands {
   }
 
   Workbench& bench_;
-  Likelihood likelihood_;
+  std::optional<Likelihood> likelihood_;  // without lengths
   const Mesh& source_ = bench_.sides.source.mesh;
   const Mesh& target_ = bench_.sides.target.mesh;
   std::vector<Landing> landings_;

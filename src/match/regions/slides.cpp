@@ -60,7 +60,8 @@ class Slides {
     if (!bench_.patchwork.is_matched(source_.face(entry))) return false;
     const Candidate pair{entry, bench_.patchwork.image(entry)};
     if (!bench_.misfit.uses_lengths()) return bench_.misfit.disagreeing_corners(pair) > 0;
-    return bench_.misfit.length_error(pair) > kBad && !(bench_.misfit.is_placed() && lands_near(pair));
+    if (bench_.misfit.is_placed() && lands_near(pair)) return false;
+    return bench_.misfit.length_error(pair) > kBad;
   }
   /// True as well where nobody knows where the source lies.
   [[nodiscard]] bool lands_near(Candidate pair) const {

@@ -1,7 +1,9 @@
 #include "vertex_grid.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <numeric>
 
 #include "similarity.hpp"
 
@@ -9,11 +11,17 @@ namespace quadmatch::regions {
 
 VertexGrid::VertexGrid(const Mesh& mesh, double cell) : mesh_(mesh), cell_(cell) {
   const std::span<const Point> positions = mesh.positions();
-  vertices_.reserve(positions.size());
-  for (std::uint32_t v = 0; v < positions.size(); ++v) {
-    vertices_.emplace_back(key_of(cell_of(positions[v])), VertexId(v));
-  }
-  std::sort(vertices_.begin(), vertices_.end());
+  // Keys are well mixed: their first bits alone spread the vertices evenly.
+  const auto bits = static_cast<int>(std::bit_width(positions.size() + 1));
+  shift_ = 64 - bits;
+  first_.assign((std::size_t{1} << bits) + 1, 0);
+  std::vector<std::uint64_t> keys;
+  keys.reserve(positions.size());
+  for (const Point& p : positions) ++first_[bucket_of(keys.emplace_back(key_of(cell_of(p)))) + 1];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  vertices_.resize(positions.size());
+  for (std::uint32_t v = 0; v < keys.size(); ++v) vertices_[next[bucket_of(keys[v])]++] = {keys[v], VertexId(v)};
 }
 
 VertexGrid::Cell VertexGrid::cell_of(const Point& p) const {
@@ -40,10 +48,12 @@ void VertexGrid::near(const Point& p, double distance, Visit visit) const {
     for (std::int64_t y = low[1]; y <= high[1]; ++y) {
       for (std::int64_t z = low[2]; z <= high[2]; ++z) {
         const std::uint64_t key = key_of({x, y, z});
-        for (auto it = std::lower_bound(vertices_.begin(), vertices_.end(), std::pair(key, VertexId(0)));
-             it != vertices_.end() && it->first == key; ++it) {
-          const double away = squared_distance(mesh_.positions()[it->second.value], p);
-          if (away <= distance * distance) visit(it->second, away);
+        const std::size_t bucket = bucket_of(key);
+        for (std::uint32_t k = first_[bucket]; k < first_[bucket + 1]; ++k) {
+          const auto& [other, vertex] = vertices_[k];
+          if (other != key) continue;
+          const double away = squared_distance(mesh_.positions()[vertex.value], p);
+          if (away <= distance * distance) visit(vertex, away);
         }
       }
     }

@@ -15,7 +15,7 @@ class VertexGrid {
  public:
   /// @param cell  side of a cube, about as far as will be asked for; positive.
   /// @pre         the mesh has positions and outlives the grid.
-  /// @par Cost    O(V log V).
+  /// @par Cost    O(V).
   VertexGrid(const Mesh& mesh, double cell);
   [[nodiscard]] double cell() const { return cell_; }
   /// The nearest vertex within a distance, not valid if there is none.
@@ -28,10 +28,13 @@ class VertexGrid {
   void near(const Point& p, double distance, Visit visit) const;
   [[nodiscard]] Cell cell_of(const Point& p) const;
   [[nodiscard]] static std::uint64_t key_of(const Cell& cell);
+  [[nodiscard]] std::size_t bucket_of(std::uint64_t key) const { return key >> shift_; }
 
   const Mesh& mesh_;
   double cell_;
-  std::vector<std::pair<std::uint64_t, VertexId>> vertices_;  // by key
+  std::vector<std::pair<std::uint64_t, VertexId>> vertices_;  // with their keys, bucket by bucket, ascending in each
+  std::vector<std::uint32_t> first_;                          // of each bucket in vertices_, and the end
+  int shift_ = 0;
 };
 
 /// The mean length of the edges of a mesh, 0 if it has none.
