@@ -34,8 +34,10 @@ using Candidate = Anchor;
 [[nodiscard]] inline HalfedgeId turned(const Mesh& mesh, HalfedgeId h, std::uint32_t steps) {
   if (mesh.all_quads()) return HalfedgeId((h.value & ~3U) | ((h.value + steps) & 3U));
   const FaceId face = mesh.face(h);
-  const std::uint32_t start = mesh.first(face).value;
-  return HalfedgeId(start + (h.value - start + steps) % mesh.size(face));
+  const std::uint32_t start = mesh.first(face).value, size = mesh.size(face);
+  std::uint32_t corner = h.value - start + steps;
+  while (corner >= size) corner -= size;  // once or twice: a division takes far longer
+  return HalfedgeId(start + corner);
 }
 
 /// What is beyond an edge: a face that lies on the one beyond the other edge; or one that is matched otherwise, in
