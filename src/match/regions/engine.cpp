@@ -67,7 +67,7 @@ class Engine {
       laid_whole = !misfit_.may_use_positions() || lies_well(bench_) || is_only_posed();
       if (!laid_whole) mend();
     }
-    Outcome outcome{laid_whole ? equal.take_pieces() : split(sides_, patchwork_), !cancelled_};
+    Outcome outcome{laid_whole ? equal.take_pieces() : split(sides_, patchwork_, rim_), !cancelled_};
     const PieceOfRegion piece_of = piece_of_region(outcome.pieces);
     weigh_pieces(sides_, patchwork_, piece_of, outcome.pieces);
     mark_ties(equal.ties(), piece_of, outcome.pieces);

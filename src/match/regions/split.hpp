@@ -6,6 +6,7 @@
 #include <quadmatch/mesh/match.hpp>
 
 #include "patchwork.hpp"
+#include "rim.hpp"
 
 namespace quadmatch::regions {
 
@@ -26,8 +27,9 @@ struct Piece {
 /// Walk every region of a patchwork from the first of its faces that was matched, and keep what is connected, maps
 /// vertices one-to-one and keeps adjacency both ways; what does not fit becomes a piece of its own.
 /// @param patchwork  its regions become the pieces, with fresh numbers.
+/// @param rim        of the patchwork: away from it nothing can disagree.
 /// @return           pieces in the order of their starts.
 /// @par Cost         O(#matched corners).
-std::vector<Piece> split(const Sides& sides, Patchwork& patchwork);
+std::vector<Piece> split(const Sides& sides, Patchwork& patchwork, Rim& rim);
 
 }  // namespace quadmatch::regions
