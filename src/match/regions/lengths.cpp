@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace quadmatch::regions {
 namespace {
@@ -15,23 +14,39 @@ float log_distance(const Point& a, const Point& b) {
 
 }  // namespace
 
-Lengths::Lengths(const Mesh& mesh) : at_(mesh.halfedge_count()) {
-  const std::span<const Point> positions = mesh.positions();
-  for (std::uint32_t number = 0; number < mesh.halfedge_count(); ++number) {
-    const HalfedgeId h(number), next = mesh.next(h), twin = mesh.twin(h);
-    const Point& here = positions[mesh.origin(h).value];
-    at_[h].edge = twin < h ? at_[twin].edge : log_distance(here, positions[mesh.origin(next).value]);
+Lengths::Lengths(const Mesh& mesh) : mesh_(&mesh), first_(mesh.face_count(), kUnknown) {
+  pairs_.reserve(mesh.halfedge_count());
+}
+
+void Lengths::measure(FaceId face) const {
+  const std::span<const Point> positions = mesh_->positions();
+  const std::size_t first = pairs_.size();
+  for (const HalfedgeId h : mesh_->halfedges(face)) {
+    const HalfedgeId next = mesh_->next(h), twin = mesh_->twin(h);
+    const Point& here = positions[mesh_->origin(h).value];
+    const bool is_known = twin.valid() && first_[mesh_->face(twin)] != kUnknown;
+    const float edge = is_known ? this->edge(twin) : log_distance(here, positions[mesh_->origin(next).value]);
     // A quad's second half of the diagonals is its first from the other end.
-    const HalfedgeId opposite = mesh.next(next);
-    const bool known = opposite < h && mesh.next(mesh.next(opposite)) == h;
-    at_[h].diagonal = known ? at_[opposite].diagonal : log_distance(here, positions[mesh.origin(opposite).value]);
+    const std::size_t corner = pairs_.size() - first;
+    const float diagonal = mesh_->size(face) == 4 && corner >= 2
+                               ? pairs_[first + corner - 2].diagonal
+                               : log_distance(here, positions[mesh_->tip(next).value]);
+    pairs_.push_back({edge, diagonal});
+  }
+  first_[face] = static_cast<std::uint32_t>(first);
+}
+
+void Lengths::measure_all() const {
+  for (std::uint32_t f = 0; f < mesh_->face_count(); ++f) {
+    if (first_[FaceId(f)] == kUnknown) measure(FaceId(f));
   }
 }
 
 float Lengths::median_edge() const {
+  measure_all();
   std::vector<float> lengths;
-  lengths.reserve(at_.size());
-  for (const Pair& pair : at_) lengths.push_back(pair.edge);
+  lengths.reserve(pairs_.size());
+  for (const Pair& pair : pairs_) lengths.push_back(pair.edge);
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() - 1) / 2;
   std::nth_element(lengths.begin(), middle, lengths.end());
   return *middle;

@@ -89,6 +89,23 @@ void Misfit::assume(double sigma) {
   sigma_ = sigma;
 }
 
+/// Calls visit(ours, theirs) with the lengths of each pair of corners, from that of the half-edges on.
+/// @return how many these are.
+template <class Visit>
+std::size_t Misfit::for_each_corner(Candidate pair, const Lengths& source_lengths, Visit visit) const {
+  const Mesh& source = sides_.source.mesh;
+  const Mesh& target = sides_.target.mesh;
+  const std::span<const Lengths::Pair> ours = source_lengths.of(source.face(pair.source));
+  const std::span<const Lengths::Pair> theirs = lengths_[1].of(target.face(pair.target));
+  std::size_t s = source.corner(pair.source), t = target.corner(pair.target);
+  for (std::size_t k = 0; k < ours.size(); ++k) {
+    visit(ours[s], theirs[t]);
+    if (++s == ours.size()) s = 0;
+    if (++t == theirs.size()) t = 0;
+  }
+  return ours.size();
+}
+
 void Misfit::calibrate(const Patchwork& patchwork) {
   ++costs_known_;
   uses_lengths_ = false;
@@ -97,15 +114,11 @@ void Misfit::calibrate(const Patchwork& patchwork) {
   const std::vector<Candidate> sample = sample_of(sides_.source.mesh, patchwork);
   std::vector<double> ratios;
   for (const Candidate& pair : sample) {
-    const std::uint32_t size = sides_.source.mesh.size(sides_.source.mesh.face(pair.source));
     double ratio = 0;
-    auto [s, t] = pair;
-    do {
-      ratio += lengths_[1].edge(t) - lengths_[0].edge(s);
-      s = sides_.source.mesh.next(s);
-      t = sides_.target.mesh.next(t);
-    } while (s != pair.source);
-    ratios.push_back(ratio / size);
+    const std::size_t size = for_each_corner(
+        pair, lengths_[0],
+        [&](const Lengths::Pair& ours, const Lengths::Pair& theirs) { ratio += theirs.edge - ours.edge; });
+    ratios.push_back(ratio / static_cast<double>(size));
   }
   scale_ = quantile(ratios, 0.5);
   Spread spread = spread_of(sample);
@@ -137,24 +150,16 @@ Misfit::Spread Misfit::spread_of(const std::vector<Candidate>& sample) const {
 }
 
 double Misfit::raw_error(Candidate pair, const Lengths& ours) const {
-  const Mesh& source = sides_.source.mesh;
-  const Mesh& target = sides_.target.mesh;
-  const bool has_diagonals = source.size(source.face(pair.source)) > 3;
+  const bool has_diagonals = sides_.source.mesh.size(sides_.source.mesh.face(pair.source)) > 3;
   double sum = 0;
-  int terms = 0;
-  auto [s, t] = pair;
-  do {
-    const double edge = lengths_[1].edge(t) - ours.edge(s) - scale_;
+  const std::size_t terms = for_each_corner(pair, ours, [&](const Lengths::Pair& here, const Lengths::Pair& there) {
+    const double edge = there.edge - here.edge - scale_;
     sum += edge * edge;
-    ++terms;
-    if (has_diagonals) {
-      const double diagonal = lengths_[1].diagonal(t) - ours.diagonal(s) - scale_;
-      sum += 0.5 * diagonal * diagonal;  // a quad's are met from both ends
-    }
-    s = source.next(s);
-    t = target.next(t);
-  } while (s != pair.source);
-  return std::sqrt(sum / (has_diagonals ? 1.5 * terms : terms));
+    if (!has_diagonals) return;
+    const double diagonal = there.diagonal - here.diagonal - scale_;
+    sum += 0.5 * diagonal * diagonal;  // a quad's are met from both ends
+  });
+  return std::sqrt(sum / (static_cast<double>(terms) * (has_diagonals ? 1.5 : 1)));
 }
 
 double Misfit::length_error(Candidate pair) const {

@@ -78,6 +78,8 @@ class Misfit {
   };
   [[nodiscard]] static double sigma_of(const Spread& spread);
   [[nodiscard]] Spread spread_of(const std::vector<Candidate>& sample) const;
+  template <class Visit>
+  std::size_t for_each_corner(Candidate pair, const Lengths& source_lengths, Visit visit) const;
   [[nodiscard]] double raw_error(Candidate pair, const Lengths& ours) const;
   [[nodiscard]] bool load_lengths();
   [[nodiscard]] double cost_by_pins(Candidate pair) const;

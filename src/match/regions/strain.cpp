@@ -81,12 +81,11 @@ class Strain {
   }
   [[nodiscard]] Stretched result() const {
     constexpr float kEnough = 0.4F;  // of the faces around: at a straight rim it is half
-    Stretched result{source_lengths_, heard_, usual_errors()};
-    for (std::uint32_t number = 0; number < source_.halfedge_count(); ++number) {
-      const HalfedgeId h(number);
+    const auto stretch = [&](HalfedgeId h) {
       const Vector6& tensor = tensor_[source_.face(h)];
-      result.lengths.stretch(h, along_edge(h).dot(tensor), along_diagonal(h).dot(tensor));
-    }
+      return Lengths::Pair{along_edge(h).dot(tensor), along_diagonal(h).dot(tensor)};
+    };
+    Stretched result{source_lengths_.stretched(stretch), heard_, usual_errors()};
     for (std::uint32_t f = 0; f < source_.face_count(); ++f) {
       result.known[FaceId(f)] = std::min(1.0F, heard_[FaceId(f)] / kEnough);
     }
