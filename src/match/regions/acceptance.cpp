@@ -20,14 +20,65 @@ struct Testimony {
   bool whole_component = true;  ///< nothing is beyond the rim, in either mesh
 };
 
+/// Regions that stand or fall together.
+using Group = std::vector<std::uint32_t>;
+
+/// Corners at which an extraordinary vertex of a region is, in either mesh, and those where the codes agree.
+struct Corners {
+  std::uint32_t agreeing = 0, source_extraordinary = 0, target_extraordinary = 0;
+};
+
+/// Calls visit(h) for every half-edge that leaves an extraordinary vertex.
+template <class Visit>
+void for_each_telling_corner(const Side& side, Visit visit) {
+  for (std::uint32_t fan = 0; fan < side.mesh.fan_count(); ++fan) {
+    if (!side.code(side.mesh.vertex(FanId(fan))).extraordinary() || !side.mesh.halfedge(FanId(fan)).valid()) continue;
+    for (const HalfedgeId h : side.mesh.outgoing(FanId(fan))) visit(h);
+  }
+}
+
+std::vector<Corners> corners_by_region(const Sides& sides, const Patchwork& patchwork) {
+  std::vector<Corners> corners(patchwork.region_count());
+  for_each_telling_corner(sides.source, [&](HalfedgeId h) {
+    const FaceId face = sides.source.mesh.face(h);
+    if (!patchwork.is_matched(face)) return;
+    const VertexId v = sides.source.mesh.origin(h), w = sides.target.mesh.origin(patchwork.image(h));
+    Corners& here = corners[patchwork.region(face)];
+    ++here.source_extraordinary;
+    here.agreeing += sides.source.code(v) == sides.target.code(w);
+  });
+  for_each_telling_corner(sides.target, [&](HalfedgeId h) {
+    const FaceId origin = patchwork.origin(sides.target.mesh.face(h));
+    if (origin.valid()) ++corners[patchwork.region(origin)].target_extraordinary;
+  });
+  return corners;
+}
+
 class Judge {
  public:
-  explicit Judge(Workbench& bench) : bench_(bench), believed_(bench.patchwork.region_count(), false) {}
+  explicit Judge(Workbench& bench)
+      : bench_(bench),
+        corners_(corners_by_region(bench.sides, bench.patchwork)),
+        believed_(bench.patchwork.region_count(), false) {}
 
-  void believe(std::uint32_t region) { believed_[region] = true; }
+  void believe(const Group& group) {
+    for (const std::uint32_t region : group) believed_[region] = true;
+  }
+  /// Many agreeing extraordinary vertices are enough, and at least as many as disagree: counted by corners here, which
+  /// is as good.
+  [[nodiscard]] bool has_evidence(const Group& group) const {
+    Corners sum;
+    for (const std::uint32_t region : group) {
+      sum.agreeing += corners_[region].agreeing;
+      sum.source_extraordinary += corners_[region].source_extraordinary;
+      sum.target_extraordinary += corners_[region].target_extraordinary;
+    }
+    return sum.agreeing >= 20 && 2 * sum.agreeing >= std::min(sum.source_extraordinary, sum.target_extraordinary);
+  }
   /// By its own evidence and what believed regions say of it. Each of these is enough; the cheapest first.
-  [[nodiscard]] bool believes(const std::vector<Candidate>& pairs) {
-    if (has_evidence(pairs) || is_pinned(pairs)) return true;
+  /// @param pairs  of the group.
+  [[nodiscard]] bool believes(const Group& group, const std::vector<Candidate>& pairs) {
+    if (has_evidence(group) || is_pinned(pairs)) return true;
     const Testimony testimony = hear(pairs);
     if (testimony.votes + 0.67 * testimony.hop_votes >= 2) return true;
     if (testimony.whole_component && disagreeing(pairs) == 0) return true;
@@ -71,34 +122,13 @@ class Judge {
     for (const Candidate& pair : pairs) corners += bench_.misfit.disagreeing_corners(pair);
     return corners;
   }
-  /// Many agreeing extraordinary vertices are enough, and at least as many as disagree: counted by corners here, which
-  /// is as good.
-  [[nodiscard]] bool has_evidence(const std::vector<Candidate>& pairs) const {
-    std::uint32_t agreeing = 0, source_extraordinary = 0, target_extraordinary = 0;
-    for (const Candidate& pair : pairs) {
-      auto [s, t] = pair;
-      do {
-        const VertexCode left = bench_.sides.source.code(source_.origin(s));
-        const VertexCode right = bench_.sides.target.code(target_.origin(t));
-        source_extraordinary += left.extraordinary();
-        target_extraordinary += right.extraordinary();
-        agreeing += left.extraordinary() && left == right;
-        s = source_.next(s);
-        t = target_.next(t);
-      } while (s != pair.source);
-    }
-    return agreeing >= 20 && 2 * agreeing >= std::min(source_extraordinary, target_extraordinary);
-  }
-
   Workbench& bench_;
+  std::vector<Corners> corners_;
   std::optional<Likelihood> likelihood_;  // learnt when it is first asked
   std::vector<bool> believed_;
   const Mesh& source_ = bench_.sides.source.mesh;
   const Mesh& target_ = bench_.sides.target.mesh;
 };
-
-/// Regions that stand or fall together.
-using Group = std::vector<std::uint32_t>;
 
 /// Slivers side by side are regions of their own, but one piece of evidence: put those together that agree across their
 /// common edges.
@@ -136,10 +166,16 @@ std::vector<Group> grouped(const Workbench& bench, const std::vector<std::vector
 }  // namespace
 
 std::size_t drop_unlikely(Workbench& bench) {
-  const std::vector<std::vector<HalfedgeId>> faces = faces_by_region(bench);
   Judge judge(bench);
+  std::vector<SizedRegion> regions = largest_first(bench.patchwork);
+  std::erase_if(regions, [&](const SizedRegion& region) {
+    const bool has_evidence = judge.has_evidence({region.number});
+    if (has_evidence) judge.believe({region.number});
+    return has_evidence;
+  });
+  const std::vector<std::vector<HalfedgeId>> faces = faces_by_region(bench, regions);
   std::vector<Group> doubtful;
-  for (const auto& [region, count] : largest_first(bench.patchwork)) doubtful.push_back({region});
+  for (const SizedRegion& region : regions) doubtful.push_back({region.number});
   const auto judge_all = [&] {
     std::vector<Candidate> pairs;
     // Belief spreads from region to region. Garbage speaks for garbage, so only what is believed is heard.
@@ -150,10 +186,8 @@ std::size_t drop_unlikely(Workbench& bench) {
         for (const std::uint32_t region : group) {
           for (const HalfedgeId entry : faces[region]) pairs.push_back({entry, bench.patchwork.image(entry)});
         }
-        const bool believed = judge.believes(pairs);
-        for (const std::uint32_t region : group) {
-          if (believed) judge.believe(region);
-        }
+        const bool believed = judge.believes(group, pairs);
+        if (believed) judge.believe(group);
         return believed;
       });
     }

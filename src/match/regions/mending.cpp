@@ -5,15 +5,18 @@
 
 namespace quadmatch::regions {
 
-std::vector<std::vector<HalfedgeId>> faces_by_region(const Workbench& bench) {
+std::vector<std::vector<HalfedgeId>> faces_by_region(const Workbench& bench, const std::vector<SizedRegion>& regions) {
   const Mesh& source = bench.sides.source.mesh;
   std::vector<std::vector<HalfedgeId>> faces(bench.patchwork.region_count());
-  PerFace<bool> listed(source.face_count(), false);
+  if (regions.empty()) return faces;
+  for (const SizedRegion& region : regions) faces[region.number].reserve(region.faces);
+  PerFace<char> listed(source.face_count(), false);
   for (const HalfedgeId entry : bench.patchwork.history()) {
     const FaceId face = source.face(entry);
     if (!bench.patchwork.is_matched(face) || listed[face]) continue;
     listed[face] = true;
-    faces[bench.patchwork.region(face)].push_back(entry);
+    std::vector<HalfedgeId>& entries = faces[bench.patchwork.region(face)];
+    if (entries.capacity() > 0) entries.push_back(entry);
   }
   return faces;
 }

@@ -24,14 +24,16 @@ struct Workbench {
   std::optional<VertexGrid> target_grid = std::nullopt;  ///< once it was asked where the source lies
 };
 
-/// The entry half-edges of each region's faces, in the order in which they were matched.
-[[nodiscard]] std::vector<std::vector<HalfedgeId>> faces_by_region(const Workbench& bench);
-
 struct SizedRegion {
   std::uint32_t number, faces;
 };
 /// The regions, from the most faces to the fewest; those without faces are left out.
 [[nodiscard]] std::vector<SizedRegion> largest_first(const Patchwork& patchwork);
+
+/// By number, the entry half-edges of the faces of these regions, in the order in which they were matched; none of any
+/// other.
+[[nodiscard]] std::vector<std::vector<HalfedgeId>> faces_by_region(const Workbench& bench,
+                                                                   const std::vector<SizedRegion>& regions);
 
 /// For each region, what Patchwork::changes() was when its seams were last found to be where they belong.
 using SeamsAtRest = std::vector<std::uint32_t>;

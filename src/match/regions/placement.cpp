@@ -86,10 +86,12 @@ std::optional<Similarity> find_placement(const Workbench& bench, const VertexGri
     const double ratio = found ? found->scale() * source_edge / edge : 0;
     if (ratio > 1 / kMostScale && ratio < kMostScale) candidates.push_back(*found);
   };
-  const std::vector<std::vector<HalfedgeId>> faces = faces_by_region(bench);
+  const std::vector<SizedRegion> regions = largest_first(bench.patchwork);
+  const std::vector<std::vector<HalfedgeId>> faces = faces_by_region(bench, regions);
   std::vector<HalfedgeId> all;
+  all.reserve(bench.patchwork.matched_faces());
   std::size_t taken = 0;
-  for (const auto& [region, count] : largest_first(bench.patchwork)) {
+  for (const auto& [region, count] : regions) {
     all.insert(all.end(), faces[region].begin(), faces[region].end());
     if (taken++ < kMostRegions) add(faces[region]);
   }
