@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "by_hash.hpp"
+
 namespace quadmatch::regions {
 namespace {
 
@@ -22,20 +24,18 @@ struct UniquePair {
 struct ColouredSpoke {
   Colour colour;
   std::uint32_t spoke;
-};
 
-void sort_by_colour(std::vector<ColouredSpoke>& spokes) {
-  std::sort(spokes.begin(), spokes.end(), [](const ColouredSpoke& a, const ColouredSpoke& b) {
-    return a.colour != b.colour ? a.colour < b.colour : a.spoke < b.spoke;
-  });
-}
+  bool operator<(const ColouredSpoke& other) const {
+    return colour != other.colour ? colour < other.colour : spoke < other.spoke;
+  }
+};
 
 /// All spokes of some round, in order of colour.
 std::vector<ColouredSpoke> coloured(const std::vector<std::uint32_t>& spokes, const std::vector<Colour>& colours) {
   std::vector<ColouredSpoke> result;
   result.reserve(spokes.size());
   for (const std::uint32_t spoke : spokes) result.push_back({colours[spoke], spoke});
-  sort_by_colour(result);
+  sort_by_hash(result, [](const ColouredSpoke& spoke) { return spoke.colour; });
   return result;
 }
 

@@ -22,10 +22,9 @@ void Lengths::measure(FaceId face) const {
   const std::span<const Point> positions = mesh_->positions();
   const std::size_t first = pairs_.size();
   for (const HalfedgeId h : mesh_->halfedges(face)) {
-    const HalfedgeId next = mesh_->next(h), twin = mesh_->twin(h);
+    const HalfedgeId next = mesh_->next(h);
     const Point& here = positions[mesh_->origin(h).value];
-    const bool is_known = twin.valid() && first_[mesh_->face(twin)] != kUnknown;
-    const float edge = is_known ? this->edge(twin) : log_distance(here, positions[mesh_->origin(next).value]);
+    const float edge = log_distance(here, positions[mesh_->origin(next).value]);
     // A quad's second half of the diagonals is its first from the other end.
     const std::size_t corner = pairs_.size() - first;
     const float diagonal = mesh_->size(face) == 4 && corner >= 2

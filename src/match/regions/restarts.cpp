@@ -10,6 +10,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include "by_hash.hpp"
 #include "likelihood.hpp"
 #include "mending.hpp"
 #include "trial.hpp"
@@ -61,7 +62,7 @@ std::vector<Look> looks(const Side& side, bool far, IsFree is_free) {
       if (side.code(side.mesh.origin(h)).extraordinary()) result.push_back({look_from(side, h, far), h});
     }
   }
-  std::sort(result.begin(), result.end());
+  sort_by_hash(result, [](const Look& look) { return look.hash; });
   return result;
 }
 

@@ -28,9 +28,8 @@ void Rim::update() {
   const std::vector<FaceId>& changed = patchwork_.changed();
   const std::vector<HalfedgeId>& history = patchwork_.history();
   if (8 * (changed.size() - seen_) > history.size()) {
-    const PerFace<char> deep = deep_faces();
     for (std::uint32_t place = 0; place < history.size(); ++place) {
-      if (const FaceId face = source_.face(history[place]); place_[face] == place) list(face, !deep[face]);
+      if (const FaceId face = source_.face(history[place]); place_[face] == place) look_at(face);
     }
   } else {
     for (std::size_t k = seen_; k < changed.size(); ++k) look_about(changed[k]);
@@ -46,43 +45,20 @@ void Rim::note_places() {
   }
 }
 
-/// Are faces on both sides of an edge, in one region and beside each other's images? @pre that of h is matched
-bool Rim::goes_on(HalfedgeId h, HalfedgeId image, HalfedgeId beside) const {
-  if (!beside.valid()) return false;
-  const FaceId other = source_.face(beside);
-  return patchwork_.region(other) == patchwork_.region(source_.face(h)) &&
-         patchwork_.image(beside) == target_.twin(image);
-}
-
 bool Rim::is_deep(FaceId face) const {
+  const std::uint32_t region = patchwork_.region(face);
   HalfedgeId image = patchwork_.image(source_.first(face));
   for (const HalfedgeId h : source_.halfedges(face)) {
-    if (!goes_on(h, image, source_.twin(h))) return false;
+    const HalfedgeId beside = source_.twin(h);
+    if (!beside.valid() || patchwork_.region(source_.face(beside)) != region) return false;
+    if (patchwork_.image(beside) != target_.twin(image)) return false;
     image = target_.next(image);
   }
   return true;
 }
 
-/// Which faces are deep, of those that are matched; every edge is looked at once.
-PerFace<char> Rim::deep_faces() const {
-  PerFace<char> deep(source_.face_count(), true);
-  for (std::uint32_t f = 0; f < source_.face_count(); ++f) {
-    const bool is_matched = patchwork_.is_matched(FaceId(f));
-    HalfedgeId image = is_matched ? patchwork_.image(source_.first(FaceId(f))) : HalfedgeId();
-    for (const HalfedgeId h : source_.halfedges(FaceId(f))) {
-      const HalfedgeId beside = source_.twin(h);
-      if (!(beside < h) && !(is_matched && goes_on(h, image, beside))) {
-        deep[FaceId(f)] = false;
-        if (beside.valid()) deep[source_.face(beside)] = false;
-      }
-      if (is_matched) image = target_.next(image);
-    }
-  }
-  return deep;
-}
-
-void Rim::list(FaceId face, bool ends) {
-  const bool is_rim = ends && patchwork_.is_matched(face);
+void Rim::look_at(FaceId face) {
+  const bool is_rim = patchwork_.is_matched(face) && !is_deep(face);
   const std::uint32_t region = is_rim ? patchwork_.region(face) : Patchwork::kNoRegion;
   const std::uint32_t before = std::exchange(region_[face], region);
   if (region == before) return;
@@ -92,8 +68,6 @@ void Rim::list(FaceId face, bool ends) {
   of_region_[region].places.push_back(place_[face]);
   if (before == Patchwork::kNoRegion) all_.places.push_back(place_[face]);
 }
-
-void Rim::look_at(FaceId face) { list(face, patchwork_.is_matched(face) && !is_deep(face)); }
 
 void Rim::look_about(FaceId face) {
   look_at(face);

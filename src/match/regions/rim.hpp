@@ -34,10 +34,7 @@ class Rim {
 
   void update();
   void note_places();
-  [[nodiscard]] bool goes_on(HalfedgeId h, HalfedgeId image, HalfedgeId beside) const;
   [[nodiscard]] bool is_deep(FaceId face) const;
-  [[nodiscard]] PerFace<char> deep_faces() const;
-  void list(FaceId face, bool ends);
   void look_at(FaceId face);
   void look_about(FaceId face);
   template <class IsStale>

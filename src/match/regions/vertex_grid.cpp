@@ -76,8 +76,11 @@ bool VertexGrid::any_within(const Point& p, double distance) const { return near
 double mean_edge(const Mesh& mesh) {
   double sum = 0;
   for (std::uint32_t number = 0; number < mesh.halfedge_count(); ++number) {
-    const HalfedgeId h(number);
-    sum += std::sqrt(squared_distance(mesh.positions()[mesh.origin(h).value], mesh.positions()[mesh.tip(h).value]));
+    const HalfedgeId h(number), twin = mesh.twin(h);
+    if (twin < h) continue;
+    const double squared =
+        squared_distance(mesh.positions()[mesh.origin(h).value], mesh.positions()[mesh.tip(h).value]);
+    sum += (twin.valid() ? 2 : 1) * std::sqrt(squared);
   }
   return mesh.halfedge_count() == 0 ? 0 : sum / mesh.halfedge_count();
 }
