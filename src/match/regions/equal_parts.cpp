@@ -1,6 +1,7 @@
 #include "equal_parts.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 #include <tuple>
@@ -29,7 +30,31 @@ bool is_clear(std::vector<double> distances, double error) {
   return std::max(4 * distances[0], 16 * error * error) < distances[1];
 }
 
+/// The first bits of all colours of the last round: what is not here is nowhere in that mesh.
+class ColourFilter {
+ public:
+  explicit ColourFilter(const std::vector<Colour>& colours)
+      : shift_(60 - static_cast<int>(std::bit_width(colours.size()))), has_(std::size_t{1} << (64 - shift_), false) {
+    for (const Colour colour : colours) has_[colour >> shift_] = true;
+  }
+  [[nodiscard]] bool may_have(Colour colour) const { return has_[colour >> shift_]; }
+
+ private:
+  int shift_;
+  std::vector<bool> has_;
+};
+
 }  // namespace
+
+/// Is there a part all of whose colours the target may have? An edit changes colours from one end of a part to the
+/// other.
+bool EqualParts::any_may_have_equal(const std::vector<Part>& parts, const ColouredSpokes& colours) {
+  const ColourFilter target(colours.target.rounds.back());
+  return std::any_of(parts.begin(), parts.end(), [&](const Part& part) {
+    return std::all_of(part.spokes.begin(), part.spokes.end(),
+                       [&](std::uint32_t spoke) { return target.may_have(colours.source.rounds.back()[spoke]); });
+  });
+}
 
 std::vector<EqualParts::Part> EqualParts::parts_of(const Side& side, const SpokeColours& colours,
                                                    const Components& components) {
@@ -73,6 +98,7 @@ EqualParts::EqualParts(Workbench& bench, const ColouredSpokes& colours)
     : bench_(bench), colours_(colours), map_(bench.sides) {
   const Components components = connected_components(bench.sides.source.mesh);
   source_parts_ = parts_of(bench.sides.source, colours.source, components);
+  if (!any_may_have_equal(source_parts_, colours)) return;
   // What equals a part of all the source's faces is all of a target of as many: whether that too is connected, the map
   // will tell.
   const Mesh& target = bench.sides.target.mesh;

@@ -63,6 +63,7 @@ class EqualParts {
 
   [[nodiscard]] static std::vector<Part> parts_of(const Side& side, const SpokeColours& colours,
                                                   const Components& components);
+  [[nodiscard]] static bool any_may_have_equal(const std::vector<Part>& parts, const ColouredSpokes& colours);
   [[nodiscard]] static Point middle_of(const Mesh& mesh, const Part& part);
   [[nodiscard]] std::vector<Candidate> seeds(const Part& part, const Part& other) const;
   [[nodiscard]] bool fills(Candidate seed, const Part& part);

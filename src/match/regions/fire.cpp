@@ -145,10 +145,10 @@ std::uint32_t Fire::root_beside(Candidate candidate) {
 void Fire::consider(Candidate candidate, std::uint32_t distance) {
   if (!is_free(candidate)) return;
   const std::uint32_t root = root_beside(candidate);
-  if (!fits(candidate, root)) return;
-  const std::uint32_t disagreeing = disagreeing_corners(candidate);
-  if (disagreeing > 0) {
-    deferred_.push_back({candidate, distance, disagreeing});
+  const Fit fit = fit_of(candidate, root);
+  if (!fit.fits) return;
+  if (fit.disagreeing > 0) {
+    deferred_.push_back({candidate, distance, fit.disagreeing});
   } else {
     accept(candidate, root, distance, false);
   }
@@ -161,24 +161,23 @@ void Fire::burn_disagreeing() {
   for (const auto& [candidate, distance, disagreeing] : deferred_) {
     if (!is_free(candidate)) continue;
     const std::uint32_t root = root_beside(candidate);
-    if (fits(candidate, root)) accept(candidate, root, distance, true);
+    if (fit_of(candidate, root).fits) accept(candidate, root, distance, true);
   }
   deferred_.clear();
 }
 
-bool Fire::fits(Candidate candidate, std::uint32_t root) {
-  if (source_.size(source_.face(candidate.source)) != target_.size(target_.face(candidate.target))) return false;
-  return corners_fit(candidate, root);
-}
-
-bool Fire::corners_fit(Candidate candidate, std::uint32_t root) {
+Fire::Fit Fire::fit_of(Candidate candidate, std::uint32_t root) {
+  if (source_.size(source_.face(candidate.source)) != target_.size(target_.face(candidate.target))) return {};
+  std::uint32_t disagreeing = 0;
   auto [s, t] = candidate;
   do {
-    if (!corner_fits(source_.origin(s), target_.origin(t), s, t, root) || !edge_fits(s, t, root)) return false;
+    const VertexId v = source_.origin(s), w = target_.origin(t);
+    if (!corner_fits(v, w, s, t, root) || !edge_fits(s, t, root)) return {};
+    disagreeing += source_vertices_[v].code != target_vertices_[w].code;
     s = source_.next(s);
     t = target_.next(t);
   } while (s != candidate.source);
-  return true;
+  return {true, disagreeing};
 }
 
 /// May v lie on w within this region? The first partners answer at once where nothing is contested; else the faces
@@ -208,17 +207,6 @@ bool Fire::edge_fits(HalfedgeId s, HalfedgeId t, std::uint32_t root) {
   if (!beside_target.valid()) return true;
   const FaceId origin = patchwork_.origin(target_.face(beside_target));
   return !origin.valid() || !belongs(origin, root);
-}
-
-std::uint32_t Fire::disagreeing_corners(Candidate candidate) const {
-  std::uint32_t disagreeing = 0;
-  auto [s, t] = candidate;
-  do {
-    disagreeing += source_vertices_[source_.origin(s)].code != target_vertices_[target_.origin(t)].code;
-    s = source_.next(s);
-    t = target_.next(t);
-  } while (s != candidate.source);
-  return disagreeing;
 }
 
 void Fire::accept(Candidate candidate, std::uint32_t root, std::uint32_t distance, bool leaf) {
@@ -264,7 +252,7 @@ void Fire::unite_with_neighbours(Candidate candidate, std::uint32_t root) {
     if (beside.valid() && patchwork_.is_matched(source_.face(beside))) {
       const std::uint32_t other = find(patchwork_.region(source_.face(beside)));
       root = find(root);
-      if (other != root && patchwork_.image(beside) == target_.twin(t) && corners_fit(candidate, other)) {
+      if (other != root && patchwork_.image(beside) == target_.twin(t) && fit_of(candidate, other).fits) {
         parent_[std::max(root, other)] = std::min(root, other);
         accounts_[std::min(root, other)].add(accounts_[std::max(root, other)]);
       }

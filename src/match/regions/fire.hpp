@@ -72,6 +72,12 @@ class Fire {
     std::uint32_t disagreeing;
   };
 
+  /// May a candidate join a region, and if so, at how many corners do the codes disagree?
+  struct Fit {
+    bool fits = false;
+    std::uint32_t disagreeing = 0;
+  };
+
   [[nodiscard]] std::uint32_t find(std::uint32_t region);
   [[nodiscard]] bool belongs(FaceId source_face, std::uint32_t root) {
     return patchwork_.is_matched(source_face) && find(patchwork_.region(source_face)) == root;
@@ -86,11 +92,9 @@ class Fire {
   void consider(Candidate candidate, std::uint32_t distance);
   /// The region that a candidate would join.
   [[nodiscard]] std::uint32_t root_beside(Candidate candidate);
-  [[nodiscard]] bool fits(Candidate candidate, std::uint32_t root);
+  [[nodiscard]] Fit fit_of(Candidate candidate, std::uint32_t root);
   [[nodiscard]] bool corner_fits(VertexId v, VertexId w, HalfedgeId s, HalfedgeId t, std::uint32_t root);
   [[nodiscard]] bool edge_fits(HalfedgeId s, HalfedgeId t, std::uint32_t root);
-  [[nodiscard]] bool corners_fit(Candidate candidate, std::uint32_t root);
-  [[nodiscard]] std::uint32_t disagreeing_corners(Candidate candidate) const;
   void accept(Candidate candidate, std::uint32_t root, std::uint32_t distance, bool leaf);
   void note_vertices(Candidate candidate, std::uint32_t root, bool& evidence);
   void unite_with_neighbours(Candidate candidate, std::uint32_t root);
