@@ -10,6 +10,7 @@
 #include "mirror.hpp"
 #include "regions/assemble.hpp"
 #include "regions/engine.hpp"
+#include "regions/nth_smallest.hpp"
 
 namespace quadmatch {
 namespace {
@@ -105,12 +106,9 @@ struct Misshape {
   [[nodiscard]] bool is_doubtful() const { return tapers > 0.01 || lengths > 0.03; }
 };
 
-/// The middle one. Reorders them.
+/// The middle one, 0 if there are none. Reorders them.
 double median(std::vector<double>& numbers) {
-  if (numbers.empty()) return 0;
-  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
-  std::nth_element(numbers.begin(), middle, numbers.end());
-  return *middle;
+  return numbers.empty() ? 0 : regions::nth_smallest(numbers, numbers.size() / 2);
 }
 
 Misshape misshape(const Mesh& source, const Mesh& target, const Match& match, const MatchOptions& options) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nth_smallest.hpp"
+
 namespace quadmatch::regions {
 namespace {
 
@@ -46,9 +48,7 @@ float Lengths::median_edge() const {
   std::vector<float> lengths;
   lengths.reserve(pairs_.size());
   for (const Pair& pair : pairs_) lengths.push_back(pair.edge);
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() - 1) / 2;
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
+  return nth_smallest(lengths, (lengths.size() - 1) / 2);
 }
 
 }  // namespace quadmatch::regions

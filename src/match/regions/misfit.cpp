@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nth_smallest.hpp"
+
 namespace quadmatch::regions {
 namespace {
 
@@ -21,9 +23,7 @@ constexpr double kAway = 0.04;
 /// The value that a share of the numbers stay below; reorders them. @pre not empty.
 template <class Number>
 Number quantile(std::vector<Number>& numbers, double share) {
-  const auto place = numbers.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(numbers.size() - 1));
-  std::nth_element(numbers.begin(), place, numbers.end());
-  return *place;
+  return nth_smallest(numbers, static_cast<std::size_t>(share * static_cast<double>(numbers.size() - 1)));
 }
 
 /// Some thousands of the matched faces, evenly spread over the order in which they were matched.

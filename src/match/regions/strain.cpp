@@ -8,6 +8,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "nth_smallest.hpp"
+
 namespace quadmatch::regions {
 namespace {
 
@@ -119,9 +121,7 @@ class Strain {
       sorted.push_back(errors[face]);
     });
     if (sorted.empty()) return errors;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    const float usual = std::max(1e-4F, *middle);
+    const float usual = std::max(1e-4F, nth_smallest(sorted, sorted.size() / 2));
     for_each_matched([&](FaceId face) {
       const float ratio = errors[face] / usual;
       errors[face] = 1 / (1 + ratio * ratio);
