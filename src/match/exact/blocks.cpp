@@ -1,113 +1,84 @@
 #include "blocks.hpp"
 
 #include <algorithm>
-#include <queue>
-#include <tuple>
 
 namespace quadmatch::exact {
 namespace {
 
 constexpr std::uint32_t kFar = 0xffffffff;
+constexpr std::uint32_t kOutside = 0xffffffff, kNoBlock = 2;
 constexpr int kRecentrings = 5;
 
 class Parting {
  public:
-  Parting(const Mesh& mesh, const std::vector<FaceId>& faces, const PerFace<std::uint8_t>& free)
-      : mesh_(mesh), free_(free), distance_(mesh.face_count(), kFar), block_of_(mesh.face_count(), kFar) {
-    for (const FaceId face : faces) {
-      if (free[face] != 0) faces_.push_back(face);
-    }
+  Parting(const Mesh& mesh, const std::vector<FaceId>& faces)
+      : mesh_(mesh), faces_(faces), distance_(mesh.face_count(), kFar), block_of_(mesh.face_count(), kOutside) {
+    for (const FaceId face : faces) block_of_[face] = kNoBlock;
   }
 
-  [[nodiscard]] std::uint32_t face_count() const { return static_cast<std::uint32_t>(faces_.size()); }
-
-  /// Centres, each as far as can be from those before it.
-  std::vector<FaceId> spread(std::uint32_t count, FaceId first) {
-    std::vector<FaceId> centres{first};
-    for (const FaceId face : faces_) distance_[face] = kFar;
-    relax(first, 0);
-    while (centres.size() < count) {
-      const auto nearer = [&](FaceId a, FaceId b) { return distance_[a] < distance_[b]; };
-      centres.push_back(*std::max_element(faces_.begin(), faces_.end(), nearer));
-      relax(centres.back(), 0);
-    }
-    return centres;
+  /// A face as far as can be from another.
+  FaceId farthest_from(FaceId face) {
+    for (const FaceId each : faces_) distance_[each] = kFar;
+    distance_[face] = 0;
+    return spread({face}, [](FaceId) { return true; });
   }
 
-  /// Blocks that grow around their centres face by face, always the smallest.
-  std::vector<Block> grow(const std::vector<FaceId>& centres) {
-    for (const FaceId face : faces_) block_of_[face] = kFar;
-    std::vector<Block> blocks;
-    std::vector<std::size_t> next_face(centres.size(), 0);  // its neighbours are being taken
-    std::priority_queue<std::tuple<std::size_t, std::uint32_t>, std::vector<std::tuple<std::size_t, std::uint32_t>>,
-                        std::greater<>>
-        smallest;
-    for (std::uint32_t b = 0; b < centres.size(); ++b) {
-      blocks.push_back({centres[b]});
+  /// Blocks that grow around their centres face by face, always the smaller by its weight.
+  std::array<Block, 2> grow(const std::array<FaceId, 2>& centres, const std::array<std::uint32_t, 2>& weights) {
+    for (const FaceId face : faces_) block_of_[face] = kNoBlock;
+    std::array<Block, 2> blocks;
+    for (std::uint32_t b = 0; b < 2; ++b) {
+      blocks[b].push_back(centres[b]);
       block_of_[centres[b]] = b;
-      smallest.emplace(1, b);
     }
-    while (!smallest.empty()) {
-      const std::uint32_t b = std::get<1>(smallest.top());
-      smallest.pop();
-      if (take_next(blocks[b], b, next_face[b])) smallest.emplace(blocks[b].size(), b);
+    std::array<std::size_t, 2> next_face{};  // whose neighbours are being taken
+    std::array<bool, 2> growing{true, true};
+    while (growing[0] || growing[1]) {
+      const bool first_is_smaller = blocks[0].size() * weights[1] <= blocks[1].size() * weights[0];
+      const std::uint32_t b = growing[0] && (first_is_smaller || !growing[1]) ? 0 : 1;
+      growing[b] = take_next(blocks[b], b, next_face[b]);
     }
     return blocks;
   }
 
-  /// The face of a block that is farthest from all others.
+  /// The face of a block that is farthest from its rim.
   FaceId middle(const Block& block, std::uint32_t number) {
-    std::vector<FaceId> queue;
-    for (const FaceId face : block) distance_[face] = kFar;
+    std::vector<FaceId> rim;
     for (const FaceId face : block) {
-      for (const HalfedgeId h : mesh_.halfedges(face)) {
-        const HalfedgeId across = mesh_.twin(h);
-        if (!across.valid() || block_of_[mesh_.face(across)] == number) continue;
-        distance_[face] = 0;
-        queue.push_back(face);
-        break;
-      }
-    }
-    if (queue.empty()) return block.front();
-    for (std::size_t next = 0; next < queue.size(); ++next) {
-      for_neighbours(queue[next], [&](FaceId beside) {
-        if (block_of_[beside] != number || distance_[beside] != kFar) return;
-        distance_[beside] = distance_[queue[next]] + 1;
-        queue.push_back(beside);
+      distance_[face] = kFar;
+      const HalfedgeRange halfedges = mesh_.halfedges(face);
+      const bool on_rim = std::any_of(halfedges.begin(), halfedges.end(), [&](HalfedgeId h) {
+        return mesh_.twin(h).valid() && block_of_[mesh_.face(mesh_.twin(h))] != number;
       });
+      if (on_rim) rim.push_back(face);
     }
-    return queue.back();
+    if (rim.empty()) return block.front();
+    for (const FaceId face : rim) distance_[face] = 0;
+    return spread(std::move(rim), [&](FaceId face) { return block_of_[face] == number; });
   }
 
  private:
-  template <class Do>
-  void for_neighbours(FaceId face, Do&& act) const {
-    for (const HalfedgeId h : mesh_.halfedges(face)) {
-      const HalfedgeId across = mesh_.twin(h);
-      if (across.valid() && free_[mesh_.face(across)] != 0) act(mesh_.face(across));
-    }
-  }
-
-  void relax(FaceId from, std::uint32_t distance) {
-    std::vector<FaceId> queue{from};
-    distance_[from] = distance;
+  /// Breadth first from faces at distance 0; the last face reached.
+  template <class Within>
+  FaceId spread(std::vector<FaceId> queue, Within&& within) {
     for (std::size_t next = 0; next < queue.size(); ++next) {
-      const FaceId here = queue[next];
-      for_neighbours(here, [&](FaceId beside) {
-        if (distance_[beside] <= distance_[here] + 1) return;
-        distance_[beside] = distance_[here] + 1;
+      for (const HalfedgeId h : mesh_.halfedges(queue[next])) {
+        if (!mesh_.twin(h).valid()) continue;
+        const FaceId beside = mesh_.face(mesh_.twin(h));
+        if (block_of_[beside] == kOutside || distance_[beside] != kFar || !within(beside)) continue;
+        distance_[beside] = distance_[queue[next]] + 1;
         queue.push_back(beside);
-      });
+      }
     }
+    return queue.back();
   }
 
   bool take_next(Block& block, std::uint32_t number, std::size_t& next_face) {
     for (; next_face < block.size(); ++next_face) {
       for (const HalfedgeId h : mesh_.halfedges(block[next_face])) {
-        const HalfedgeId across = mesh_.twin(h);
-        if (!across.valid()) continue;
-        const FaceId beside = mesh_.face(across);
-        if (free_[beside] == 0 || block_of_[beside] != kFar) continue;
+        if (!mesh_.twin(h).valid()) continue;
+        const FaceId beside = mesh_.face(mesh_.twin(h));
+        if (block_of_[beside] != kNoBlock) continue;
         block_of_[beside] = number;
         block.push_back(beside);
         return true;
@@ -117,29 +88,23 @@ class Parting {
   }
 
   const Mesh& mesh_;
-  const PerFace<std::uint8_t>& free_;
-  std::vector<FaceId> faces_;
+  const std::vector<FaceId>& faces_;
   PerFace<std::uint32_t> distance_;
   PerFace<std::uint32_t> block_of_;
 };
 
 }  // namespace
 
-std::vector<Block> part_into_blocks(const Mesh& mesh, const std::vector<FaceId>& faces,
-                                    const PerFace<std::uint8_t>& free, std::uint32_t count, std::mt19937& random) {
-  Parting parting(mesh, faces, free);
-  count = std::min(count, parting.face_count());
-  if (count == 0) return {};
-  std::vector<FaceId> free_faces;
-  for (const FaceId face : faces) {
-    if (free[face] != 0) free_faces.push_back(face);
-  }
-  const auto start = static_cast<std::size_t>(random() % free_faces.size());
-  std::vector<FaceId> centres = parting.spread(count, free_faces[start]);
-  std::vector<Block> blocks = parting.grow(centres);
+std::array<Block, 2> cut_in_two(const Mesh& mesh, const std::vector<FaceId>& faces,
+                                std::array<std::uint32_t, 2> weights, std::mt19937& random) {
+  Parting parting(mesh, faces);
+  const FaceId somewhere = faces[random() % faces.size()];
+  std::array<FaceId, 2> centres{parting.farthest_from(somewhere), {}};
+  centres[1] = parting.farthest_from(centres[0]);
+  std::array<Block, 2> blocks = parting.grow(centres, weights);
   for (int again = 0; again < kRecentrings; ++again) {
-    for (std::uint32_t b = 0; b < blocks.size(); ++b) centres[b] = parting.middle(blocks[b], b);
-    blocks = parting.grow(centres);
+    for (std::uint32_t b = 0; b < 2; ++b) centres[b] = parting.middle(blocks[b], b);
+    blocks = parting.grow(centres, weights);
   }
   return blocks;
 }

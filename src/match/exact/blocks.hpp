@@ -1,6 +1,7 @@
 #pragma once
-/// Disjoint connected blocks of faces: a region that loses less than one face a block holds one of them whole.
+/// Connected blocks of faces, halved and halved again: a region that loses few faces of a block loses fewer of a half.
 
+#include <array>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -13,18 +14,14 @@ namespace quadmatch::exact {
 /// Connected faces, each but the first beside an earlier one; the first is in the middle.
 using Block = std::vector<FaceId>;
 
-/// Part the faces that are free into blocks of about one size, around centres far from each other.
+/// Cut a connected set of faces in two, around centres far from each other.
 ///
-/// @param faces   of one component, each once.
-/// @param free    for every face of the mesh: may it be in a block?
-/// @param count   blocks wanted.
-/// @param random  where to begin.
-/// @return        `count` blocks, or fewer where there are not so many free faces; together they may leave out pieces
-/// of
-///                the free faces that hold no centre.
-/// @par Cost      O(count * #faces).
-[[nodiscard]] std::vector<Block> part_into_blocks(const Mesh& mesh, const std::vector<FaceId>& faces,
-                                                  const PerFace<std::uint8_t>& free, std::uint32_t count,
-                                                  std::mt19937& random);
+/// @param weights  the sizes of the two blocks are as these are to each other, as nearly as can be.
+/// @param random   where to begin.
+/// @return         two connected blocks that share no face and leave none out.
+/// @pre            at least two faces
+/// @par Cost       O(#faces), and O(#F) of the mesh.
+[[nodiscard]] std::array<Block, 2> cut_in_two(const Mesh& mesh, const std::vector<FaceId>& faces,
+                                              std::array<std::uint32_t, 2> weights, std::mt19937& random);
 
 }  // namespace quadmatch::exact

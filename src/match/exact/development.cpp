@@ -109,7 +109,7 @@ void Development::put_label(const Pair& pair, FaceId parent) {
 bool Development::reach(const Pair& pair, FaceId parent) {
   const HalfedgeId here = half(pair, side_), there = half(pair, other(side_));
   const FaceId face = partial_.mesh(side_).face(here);
-  if (!partial_.is_open(side_, face) || is_packed(face)) return true;
+  if (!partial_.is_open(side_, face) || is_packed(face) || !is_within(face)) return true;
   if (is_labelled(face)) {
     if (label_of(here) == there) return true;
     clash_opponent_ = face;
@@ -150,48 +150,74 @@ bool Development::develop(const Rim& rim) {
   return true;
 }
 
+bool Development::is_within(FaceId face) const {
+  if (level_ == 0) return true;
+  const std::uint32_t level = partial_.level(side_, face);
+  return level != Partial::kNoLevel && level >= level_;
+}
+
+void Development::pack_face(FaceId face) {
+  packed_[face] = packing_;
+  const std::uint32_t level = partial_.level(side_, face);
+  if (level != Partial::kNoLevel && std::find(touched_.begin(), touched_.end(), level) == touched_.end()) {
+    touched_.push_back(level);
+  }
+}
+
 /// The faces from here back to the rim, or to where another path of the same clash joins.
 void Development::pack_path(FaceId face) {
-  for (; face.valid() && !is_packed(face); face = labels_[face].parent) packed_[face] = packing_;
+  for (; face.valid() && !is_packed(face); face = labels_[face].parent) pack_face(face);
 }
 
-/// Those of which nothing is lost yet; what is left open of them loses a face.
-std::uint32_t Development::pack_loss_sets() {
-  std::uint32_t sets = 0;
-  for (const LossSet& set : partial_.loss_sets(side_)) {
-    if (!set.unpaid()) continue;
-    ++sets;
-    for (const FaceId face : set.faces) {
-      if (partial_.is_open(side_, face)) packed_[face] = packing_;
-    }
-  }
-  return sets;
+void Development::pack_clash() {
+  touched_.clear();
+  pack_path(clash_parent_);
+  pack_path(clash_opponent_);
+  pack_face(clash_face_);
+  for (const std::uint32_t level : touched_) ++touches_[level];
+  ++sets_;
 }
 
-Packing Development::pack(Side side, const Rim& rim, std::uint32_t enough) {
-  side_ = side;
-  ++packing_;
-  Packing packing;
-  if (develop(rim)) {
-    packing.free_of_conflict = true;
-    return packing;
-  }
+/// What the ring of a level must lose, should that be more than the sets which touch it: then they are not counted.
+std::uint32_t Development::unpaid_beyond_sets(std::uint32_t level) const {
+  if (level < level_) return 0;
+  const std::uint32_t unpaid = partial_.levels()[level].unpaid();
+  return unpaid > touches_[level] ? unpaid - touches_[level] : 0;
+}
+
+std::uint32_t Development::losses() const {
+  std::uint32_t losses = sets_;
+  if (side_ != partial_.level_side()) return losses;
+  for (std::uint32_t level = level_; level < partial_.levels().size(); ++level) losses += unpaid_beyond_sets(level);
+  return losses;
+}
+
+Pair Development::root_of_clash(const Rim& rim) const {
   FaceId root = clash_parent_.valid() ? clash_parent_ : clash_face_;
   while (is_labelled(root) && labels_[root].parent.valid()) root = labels_[root].parent;
   for (const Pair& inside : rim) {
     const Pair pair = beyond(partial_, inside);
     const HalfedgeId here = half(pair, side_);
-    if (here.valid() && partial_.mesh(side_).face(here) == root) packing.root = pair;
+    if (here.valid() && partial_.mesh(side_).face(here) == root) return pair;
   }
+  return {};
+}
 
-  packing.sets = pack_loss_sets();
-  while (packing.sets < enough) {
-    if (packing.sets > 0 && develop(rim)) break;
-    pack_path(clash_parent_);
-    pack_path(clash_opponent_);
-    packed_[clash_face_] = packing_;
-    ++packing.sets;
+Packing Development::pack(Side side, std::uint32_t level, const Rim& rim, std::uint32_t enough) {
+  side_ = side;
+  level_ = level;
+  sets_ = 0;
+  ++packing_;
+  touches_.assign(partial_.levels().size(), 0);
+  Packing packing;
+  packing.free_of_conflict = develop(rim);
+  if (!packing.free_of_conflict) {
+    packing.root = root_of_clash(rim);
+    do {
+      pack_clash();
+    } while (losses() < enough && !develop(rim));
   }
+  packing.losses = losses();
   return packing;
 }
 

@@ -11,8 +11,8 @@ namespace quadmatch::exact {
 
 /// What a packing came to.
 struct Packing {
-  /// Disjoint sets of open faces, of each of which every better region that holds the partial one loses a face.
-  std::uint32_t sets = 0;
+  /// Open faces that every better region which holds the partial one loses at least.
+  std::uint32_t losses = 0;
   /// Nothing is in conflict: the partial region and its whole development are a region.
   bool free_of_conflict = false;
   /// The pair of the rim at the root of the first conflict found, the shortest.
@@ -34,12 +34,16 @@ class Development {
   /// @pre count_reach was called last for this side.
   [[nodiscard]] bool is_reached(FaceId face) const { return reach_stamp_[face] == reach_; }
 
-  /// Pack conflict sets of a side, loss sets among them, up to `enough`.
+  /// Pack conflict sets of a side, and what its levels demand, up to `enough` losses.
+  /// @param level  only within this level of the side, and only what is lost there.
   /// @pre propagated: every pair beyond the rim fits, and open faces that cannot be reached are out.
-  Packing pack(Side side, const Rim& rim, std::uint32_t enough);
+  Packing pack(Side side, std::uint32_t level, const Rim& rim, std::uint32_t enough);
 
-  /// Was the face in a set of the last packing? @pre the same side
-  [[nodiscard]] bool is_packed(FaceId face) const { return packed_[face] == packing_; }
+  /// May the face be among the losses that the last packing counted? @pre the same side
+  [[nodiscard]] bool may_be_lost(FaceId face) const {
+    const std::uint32_t level = partial_.level(side_, face);
+    return is_packed(face) || (level != Partial::kNoLevel && unpaid_beyond_sets(level) > 0);
+  }
 
   /// The labels of the last packing's first development, from the rim outwards. @pre it was free of conflict
   [[nodiscard]] const std::vector<Pair>& labels() const { return queue_; }
@@ -64,11 +68,21 @@ class Development {
   void put_label(const Pair& pair, FaceId parent);
   [[nodiscard]] bool is_labelled(FaceId face) const { return labels_[face].stamp == stamp_; }
   [[nodiscard]] HalfedgeId label_of(HalfedgeId here) const;
+  [[nodiscard]] bool is_packed(FaceId face) const { return packed_[face] == packing_; }
+  [[nodiscard]] bool is_within(FaceId face) const;
+  void pack_face(FaceId face);
   void pack_path(FaceId face);
-  std::uint32_t pack_loss_sets();
+  void pack_clash();
+  [[nodiscard]] std::uint32_t unpaid_beyond_sets(std::uint32_t level) const;
+  [[nodiscard]] std::uint32_t losses() const;
+  [[nodiscard]] Pair root_of_clash(const Rim& rim) const;
 
   const Partial& partial_;
-  Side side_ = kSource;  // the side developed
+  Side side_ = kSource;      // the side developed
+  std::uint32_t level_ = 0;  // within which
+  std::uint32_t sets_ = 0;
+  std::vector<std::uint32_t> touches_;  // sets with a face in the ring of each level
+  std::vector<std::uint32_t> touched_;  // levels, by the set being packed
   std::uint32_t stamp_ = 0, packing_ = 0, reach_ = 0;
   PerFace<Label> labels_;            // of either side, so as many as the larger has faces
   PerFace<Owned> taken_;             // of the other side: which face lies there

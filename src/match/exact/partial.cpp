@@ -30,8 +30,8 @@ Partial::Partial(const Mesh& source, const Mesh& target) : meshes_{&source, &tar
     partner_[side] = PerVertex<VertexId>(mesh.vertex_count());
     repeats_[side] = faces_that_repeat(mesh);
     open_[side] = mesh.face_count();
-    set_of_[side] = PerFace<std::uint32_t>(mesh.face_count(), kNoSet);
   }
+  level_of_ = PerFace<std::uint32_t>(source.face_count(), kNoLevel);
 }
 
 HalfedgeId Partial::turned(Side side, HalfedgeId h, std::uint32_t corner) const {
@@ -103,14 +103,16 @@ void Partial::decide(Side side, FaceId face, Standing standing) {
   assert(is_open(side, face));
   standing_[side][face] = standing;
   --open_[side];
-  if (const std::uint32_t set = set_of_[side][face]; set != kNoSet) {
-    ++(standing == Standing::In ? loss_sets_[side][set].in : loss_sets_[side][set].out);
+  if (const std::uint32_t number = level(side, face); number != kNoLevel) {
+    --levels_[number].open;
+    levels_[number].out += standing == Standing::Out ? 1 : 0;
   }
 }
 
 void Partial::reopen(Side side, FaceId face) {
-  if (const std::uint32_t set = set_of_[side][face]; set != kNoSet) {
-    --(standing_[side][face] == Standing::In ? loss_sets_[side][set].in : loss_sets_[side][set].out);
+  if (const std::uint32_t number = level(side, face); number != kNoLevel) {
+    ++levels_[number].open;
+    levels_[number].out -= standing_[side][face] == Standing::Out ? 1 : 0;
   }
   standing_[side][face] = Standing::Open;
   ++open_[side];
@@ -166,10 +168,31 @@ void Partial::undo(Mark mark) {
   }
 }
 
-void Partial::add_loss_set(Side side, std::vector<FaceId> faces) {
+void Partial::begin_levels(Side side, std::vector<FaceId> faces, std::uint32_t budget) {
   assert(trail_.empty());
-  for (const FaceId face : faces) set_of_[side][face] = static_cast<std::uint32_t>(loss_sets_[side].size());
-  loss_sets_[side].push_back({std::move(faces)});
+  level_side_ = side;
+  level_of_ = PerFace<std::uint32_t>(mesh(side).face_count(), kNoLevel);
+  levels_.clear();
+  for (const FaceId face : faces) level_of_[face] = 0;
+  const auto open = static_cast<std::uint32_t>(faces.size());
+  levels_.push_back({.budget = budget, .open = open, .faces = std::move(faces)});
+}
+
+void Partial::push_level(std::vector<FaceId> faces, std::uint32_t budget) {
+  assert(trail_.empty());
+  const auto number = static_cast<std::uint32_t>(levels_.size());
+  for (const FaceId face : faces) level_of_[face] = number;
+  const auto open = static_cast<std::uint32_t>(faces.size());
+  levels_.back().open -= open;
+  levels_.push_back({.budget = budget, .open = open, .faces = std::move(faces)});
+}
+
+void Partial::pop_level() {
+  assert(trail_.empty());
+  const auto outer = static_cast<std::uint32_t>(levels_.size() - 2);
+  for (const FaceId face : levels_.back().faces) level_of_[face] = outer;
+  levels_[outer].open += static_cast<std::uint32_t>(levels_.back().faces.size());
+  levels_.pop_back();
 }
 
 void extend(Rim& rim, const Partial& partial, const Pair& pair) {

@@ -29,13 +29,17 @@ constexpr Side kSource = 0, kTarget = 1;
 /// Is a face in the region, out of it for good, or still to be decided?
 enum class Standing : std::uint8_t { Open, In, Out };
 
-/// Faces of which every better region loses at least one.
-struct LossSet {
-  std::vector<FaceId> faces;
-  std::uint32_t in = 0, out = 0;  ///< of them
+/// One of a chain of nested sets of faces K_0, K_1, ..., each of which loses few faces. What is counted here is the
+/// ring of K_j without K_j+1.
+struct Level {
+  std::uint32_t budget = 0;        ///< faces that K_j loses at most
+  std::uint32_t demand = 0;        ///< faces that every better region within the chain loses of the ring at least
+  std::uint32_t open = 0;          ///< faces of the ring, less those that are in or out
+  std::uint32_t out = 0;           ///< faces of the ring that are out
+  std::vector<FaceId> faces = {};  ///< K_j
 
-  /// Nothing is lost of it so far.
-  [[nodiscard]] bool unpaid() const { return out == 0; }
+  /// Faces that must still be lost of the ring.
+  [[nodiscard]] std::uint32_t unpaid() const { return demand > out ? demand - out : 0; }
 };
 
 /// The region as far as it is decided. Conditions between pairs are all checked by `fits`, so whatever is committed is
@@ -71,11 +75,21 @@ class Partial {
   [[nodiscard]] Mark mark() const { return trail_.size(); }
   void undo(Mark mark);
 
-  /// From now on, watch a set of source or target faces. @pre nothing is decided; sets of a side share no face
-  void add_loss_set(Side side, std::vector<FaceId> faces);
-  [[nodiscard]] const std::vector<LossSet>& loss_sets(Side side) const { return loss_sets_[side]; }
-  /// Is the face in a loss set?
-  [[nodiscard]] bool is_watched(Side side, FaceId face) const { return set_of_[side][face] != kNoSet; }
+  // The chain of levels; nothing may be decided while it changes.
+  /// Begin a chain of one level on a side.
+  void begin_levels(Side side, std::vector<FaceId> faces, std::uint32_t budget);
+  /// @pre `faces` are of the last level
+  void push_level(std::vector<FaceId> faces, std::uint32_t budget);
+  void pop_level();
+  /// Demand losses in the ring of the last level, as soon as there is a next one.
+  void set_demand(std::uint32_t demand) { levels_.back().demand = demand; }
+  [[nodiscard]] Side level_side() const { return level_side_; }
+  [[nodiscard]] const std::vector<Level>& levels() const { return levels_; }
+  /// The last level a face is in; kNoLevel for faces of the other side, and of other components.
+  [[nodiscard]] std::uint32_t level(Side side, FaceId face) const {
+    return side == level_side_ ? level_of_[face] : kNoLevel;
+  }
+  static constexpr std::uint32_t kNoLevel = 0xffffffff;
 
  private:
   enum class Step : std::uint8_t { Committed, Vertex, OutOfSource, OutOfTarget };
@@ -83,7 +97,6 @@ class Partial {
     Step step;
     std::uint32_t id;
   };
-  static constexpr std::uint32_t kNoSet = 0xffffffff;
 
   [[nodiscard]] bool corners_agree(const Pair& pair, std::uint32_t size) const;
   [[nodiscard]] bool neighbours_agree(const Pair& pair, std::uint32_t size) const;
@@ -97,8 +110,9 @@ class Partial {
   std::array<PerVertex<VertexId>, 2> partner_;
   std::array<PerFace<std::uint8_t>, 2> repeats_;  // has a face a vertex at several corners?
   std::array<std::uint32_t, 2> open_;
-  std::array<std::vector<LossSet>, 2> loss_sets_;
-  std::array<PerFace<std::uint32_t>, 2> set_of_;
+  Side level_side_ = kSource;
+  std::vector<Level> levels_;
+  PerFace<std::uint32_t> level_of_;
   std::vector<Pair> pairs_;
   std::vector<Entry> trail_;
 };

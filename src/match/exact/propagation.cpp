@@ -26,35 +26,10 @@ bool exclude_misfits(Partial& partial, Rim& rim) {
   return excluded;
 }
 
-enum class Losses { Nothing, Excluded, Impossible };
-
-/// Exclude the last open face of sets that are in otherwise.
-Losses exclude_last_faces(Partial& partial) {
-  Losses losses = Losses::Nothing;
-  for (const Side side : {kSource, kTarget}) {
-    for (const LossSet& set : partial.loss_sets(side)) {
-      if (!set.unpaid() || set.in + 1 < set.faces.size()) continue;
-      if (set.in == set.faces.size()) return Losses::Impossible;
-      for (const FaceId face : set.faces) {
-        if (!partial.is_open(side, face)) continue;
-        partial.exclude(side, face);
-        losses = Losses::Excluded;
-        break;
-      }
-    }
-  }
-  return losses;
-}
-
 }  // namespace
 
-bool propagate(Partial& partial, Rim& rim) {
-  while (true) {
-    const bool excluded = exclude_misfits(partial, rim);
-    const Losses losses = exclude_last_faces(partial);
-    if (losses == Losses::Impossible) return false;
-    if (!excluded && losses == Losses::Nothing) return true;
-  }
+void propagate(Partial& partial, Rim& rim) {
+  while (exclude_misfits(partial, rim)) continue;
 }
 
 }  // namespace quadmatch::exact

@@ -5,13 +5,12 @@
 
 namespace quadmatch::exact {
 
-/// Exclude what cannot be in a better region that holds the partial one, to a fixed point.
+/// Exclude what cannot be in a region that holds the partial one, to a fixed point.
 ///
 /// A face beyond the rim has one possible image. Where that pair does not fit, or there is none, both faces are out:
-/// the image could only be hit from that face. Of a loss set whose other faces are all in, the last one is out.
+/// the image could only be hit from that face.
 ///
 /// @param rim  entries beyond which nothing is open are taken out.
-/// @return     false where a loss set is in whole: there is no better region here.
-bool propagate(Partial& partial, Rim& rim);
+void propagate(Partial& partial, Rim& rim);
 
 }  // namespace quadmatch::exact

@@ -4,6 +4,7 @@
 
 #include "search.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "propagation.hpp"
@@ -41,12 +42,15 @@ bool Search::run(Rim rim, std::uint64_t limit) {
 /// True if there is a choice to be made here; false if nothing better can be below, or all of it has been offered.
 bool Search::examine(Rim& rim, Pair& branch) {
   while (true) {
-    if (!propagate(partial_, rim)) return false;
+    propagate(partial_, rim);
     incumbent_.offer(partial_.pairs(), {}, orientation_);
     if (rim.empty()) return false;
     std::array<std::uint32_t, 2> reach{};
-    if (const Bound bound = bound_by_reach(rim, reach); bound == Bound::Closed) return false;
+    if (bound_by_reach(rim, reach) == Bound::Closed || !demands_can_be_met()) return false;
 
+    const SideBound inner = bound_levels(rim);
+    if (inner.bound == Bound::Closed) return false;
+    if (inner.bound == Bound::Tighter) continue;
     const Side first = reach[kSource] <= reach[kTarget] ? kSource : kTarget;
     const SideBound near = bound_side(first, rim, reach[first]);
     if (near.bound == Bound::Closed) return false;
@@ -55,7 +59,7 @@ bool Search::examine(Rim& rim, Pair& branch) {
     if (far.bound == Bound::Closed) return false;
     if (far.bound == Bound::Tighter) continue;
     if (sheets_.exclude_unreached(partial_, rim)) continue;
-    branch = near.largest <= far.largest ? near.root : far.root;
+    branch = inner.root.source.valid() ? inner.root : near.largest <= far.largest ? near.root : far.root;
     return true;
   }
 }
@@ -73,41 +77,70 @@ Search::Bound Search::bound_by_reach(const Rim& rim, std::array<std::uint32_t, 2
   return Bound::Open;
 }
 
+/// Is enough open in every ring to lose what it must?
+bool Search::demands_can_be_met() const {
+  const std::vector<Level>& levels = partial_.levels();
+  return std::all_of(levels.begin(), levels.end(), [](const Level& level) { return level.unpaid() <= level.open; });
+}
+
+/// From the innermost level outwards: may what it loses stay within its budget?
+Search::SideBound Search::bound_levels(Rim& rim) {
+  SideBound bound;
+  std::uint32_t out = 0, open = 0;
+  for (auto level = static_cast<std::uint32_t>(partial_.levels().size()); level-- > 1;) {
+    out += partial_.levels()[level].out;
+    open += partial_.levels()[level].open;
+    if (out > partial_.levels()[level].budget) return {.bound = Bound::Closed};
+    if (open == 0) continue;
+    const SideBound here = bound_level(level, out, rim);
+    if (here.bound != Bound::Open) return here;
+    if (!bound.root.source.valid()) bound.root = here.root;
+  }
+  return bound;
+}
+
+Search::SideBound Search::bound_level(std::uint32_t level, std::uint32_t out, Rim& rim) {
+  const std::uint32_t left = partial_.levels()[level].budget - out;
+  const Packing packing = development_.pack(partial_.level_side(), level, rim, left + 1);
+  if (packing.losses > left) return {.bound = Bound::Closed};
+  const Bound forced = packing.losses == left ? force(partial_.level_side(), level, rim) : Bound::Open;
+  return {.bound = forced, .root = packing.root};
+}
+
+/// All that can be reached, less what is lost of it.
 Search::SideBound Search::bound_side(Side side, Rim& rim, std::uint32_t reach) {
   const std::uint32_t most = partial_.size() + reach;
-  const Packing packing = development_.pack(side, rim, most - incumbent_.to_beat);
+  const Packing packing = development_.pack(side, 0, rim, most - incumbent_.to_beat);
   if (packing.free_of_conflict) {
     offer_development();
-    return {Bound::Closed, most, {}};
+    return {.bound = Bound::Closed, .largest = most};
   }
-  const std::uint32_t largest = most - packing.sets;
-  if (largest <= incumbent_.to_beat) return {Bound::Closed, largest, {}};
-  if (largest == incumbent_.to_beat + 1) {
-    // A better region loses one face of each set and nothing else.
-    const std::uint32_t before = partial_.size();
-    if (!force_unpacked(side, rim)) return {Bound::Closed, largest, {}};
-    if (partial_.size() > before) return {Bound::Tighter, largest, {}};
-  }
-  return {Bound::Open, largest, packing.root};
+  const std::uint32_t largest = most - std::min(most, packing.losses);
+  if (largest <= incumbent_.to_beat) return {.bound = Bound::Closed, .largest = largest};
+  const Bound forced = largest == incumbent_.to_beat + 1 ? force(side, 0, rim) : Bound::Open;
+  return {.bound = forced, .largest = largest, .root = packing.root};
 }
 
 /// Nothing that can be reached clashes: the partial region and its development are a region, the largest here.
 void Search::offer_development() { incumbent_.offer(partial_.pairs(), development_.labels(), orientation_); }
 
-/// Take in the faces beyond the rim that are in no packed set. False where one does not fit those before it.
-bool Search::force_unpacked(Side side, Rim& rim) {
+/// A better region loses what the last packing counted and nothing else: take in the faces beyond the rim that it did
+/// not count. Closed where one does not fit those before it.
+Search::Bound Search::force(Side side, std::uint32_t level, Rim& rim) {
   const std::size_t entries = rim.size();
+  const std::uint32_t before = partial_.size();
   for (std::size_t k = 0; k < entries; ++k) {
     const Pair pair = beyond(partial_, rim[k]);
     const HalfedgeId here = half(pair, side);
     if (!here.valid()) continue;
     const FaceId face = partial_.mesh(side).face(here);
-    if (!partial_.is_open(side, face) || development_.is_packed(face)) continue;
-    if (!half(pair, other(side)).valid() || !partial_.fits(pair)) return false;
+    if (!partial_.is_open(side, face) || development_.may_be_lost(face)) continue;
+    if (level > 0 && (partial_.level(side, face) == Partial::kNoLevel || partial_.level(side, face) < level)) continue;
+    if (!half(pair, other(side)).valid() || !partial_.fits(pair)) return Bound::Closed;
     partial_.commit(pair);
     extend(rim, partial_, pair);
   }
-  return true;
+  return partial_.size() > before ? Bound::Tighter : Bound::Open;
 }
 
 }  // namespace quadmatch::exact

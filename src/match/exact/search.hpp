@@ -35,16 +35,19 @@ class Search {
   };
   enum class Bound { Closed, Tighter, Open };
   struct SideBound {
-    Bound bound;
-    std::uint32_t largest;  // size of a region below, at most
-    Pair root;              // of the first conflict
+    Bound bound = Bound::Open;
+    std::uint32_t largest = 0;  // size of a region below, at most
+    Pair root = {};             // of the first conflict, if any
   };
 
   bool examine(Rim& rim, Pair& branch);
   void offer_development();
   Bound bound_by_reach(const Rim& rim, std::array<std::uint32_t, 2>& reach);
+  [[nodiscard]] bool demands_can_be_met() const;
+  SideBound bound_levels(Rim& rim);
+  SideBound bound_level(std::uint32_t level, std::uint32_t out, Rim& rim);
   SideBound bound_side(Side side, Rim& rim, std::uint32_t reach);
-  bool force_unpacked(Side side, Rim& rim);
+  Bound force(Side side, std::uint32_t level, Rim& rim);
 
   Partial& partial_;
   Orientation orientation_;

@@ -15,9 +15,10 @@
 
 namespace quadmatch::exact {
 
-/// A component C of more faces than the best region can hold a better region only if that loses at most |C| - best - 1
-/// of them. So of |C| - best disjoint blocks of C one is in it whole. When no better region holds any of them, there is
-/// none in C.
+/// A component C of more faces than the best region can hold a better region only if that loses at most
+/// D = |C| - best - 1 of them. To show that none does, show for two disjoint blocks of it that none loses at most d of
+/// the one, and none at most D - d - 1 of the other; each block likewise, down to blocks of which nothing may be lost.
+/// Such a block has but one place for each image of its first face.
 class Solver {
  public:
   /// @param target  as it is laid: for Reversing, in the mirror.
@@ -26,8 +27,7 @@ class Solver {
   /// Look for a good region first: what a search need not find saves most of it.
   void probe();
 
-  /// Cut what is not proved yet into blocks, and try to prove each; those that take too long wait for the next round,
-  /// which has other blocks and more patience.
+  /// Try to prove that nothing is better, with some patience; more in the next round.
   void round();
 
   /// No region laid this way has more faces than this, or than the incumbent asks for.
@@ -35,29 +35,26 @@ class Solver {
   [[nodiscard]] bool finished() const { return bound() <= incumbent_.to_beat; }
 
  private:
-  /// A block with a way to each face from one before it.
-  struct PlacedBlock {
+  struct Part {
     Block faces;
-    std::vector<HalfedgeId> ways;  // of faces[1 ...]: a half-edge of an earlier face, whose twin is in it
-    std::uint32_t component = 0;
-    std::uint32_t lost = 0;  // of its faces, in the incumbent
+    std::uint32_t budget = 0;  // losses
+    std::int64_t promise = 0;  // the more, the sooner it is tried
   };
-
   struct Placement {
     HalfedgeId there;  // lies under the first half-edge of the block
     std::uint32_t disagreeing;
   };
 
   void choose_side();
-  [[nodiscard]] std::uint32_t missing_blocks(std::uint32_t component) const;
-  std::vector<PlacedBlock> cut_into_blocks();
-  std::vector<PlacedBlock> best_of_several_cuts();
-  PlacedBlock with_ways(Block faces, std::uint32_t component) const;
-  std::uint64_t count_placements(const std::vector<PlacedBlock>& blocks);
-  bool place(const PlacedBlock& block, HalfedgeId there, Rim* rim);
-  std::vector<Placement> placements(const PlacedBlock& block);
-  bool prove(const PlacedBlock& block);
-  void order(std::vector<PlacedBlock>& blocks) const;
+  [[nodiscard]] std::uint32_t losses_needed() const;
+  bool prove(const Block& faces, std::uint32_t budget);
+  bool prove_inner(const Part& part);
+  bool prove_both(Part& one, Part& two);
+  bool prove_whole(const Block& block);
+  std::array<Part, 2> parts_of(const Block& faces, std::uint32_t budget);
+  [[nodiscard]] std::vector<HalfedgeId> ways_through(const Block& block) const;
+  bool place(const Block& block, const std::vector<HalfedgeId>& ways, HalfedgeId there, Rim* rim);
+  std::vector<Placement> placements(const Block& block, const std::vector<HalfedgeId>& ways);
   [[nodiscard]] bool must_stop() const { return budget_.stopped() || incumbent_.enough; }
 
   Orientation orientation_;
@@ -69,12 +66,13 @@ class Solver {
   std::array<Components, 2> components_;
   Side side_ = kSource;  // whose blocks are proved
   bool side_chosen_ = false;
-  std::vector<std::uint32_t> proved_;                 // blocks of each component of that side
-  std::vector<std::vector<FaceId>> component_faces_;  // likewise
-  PerFace<std::uint8_t> free_;                        // faces of that side in no proved block
+  std::vector<Block> component_faces_;      // of that side
+  std::vector<std::uint32_t> most_losses_;  // that every better region in a component is known to have
+  std::uint32_t component_ = 0;             // being proved
+  std::uint32_t losses_ = 0;                // of a better region in it, by what is proved in this round
+  PerFace<std::uint8_t> matched_;           // faces of that side in the incumbent
   std::mt19937 random_{1};
-  std::uint32_t rounds_ = 0;
-  std::uint64_t patience_ = 3000;  // nodes below one placement
+  double patience_ = 3000;  // nodes below one placement
 };
 
 }  // namespace quadmatch::exact
