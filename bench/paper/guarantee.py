@@ -1,9 +1,14 @@
 """The guarantee of §5 on planted mismatches: how often a match at least as good is found, by the width of corridors."""
-import concurrent.futures
 import json
 import os
-import pathlib
 import subprocess
+
+from parts.common import Bar, bar_table, run, table
+from parts.subjects import in_parallel
+
+TITLE = "The guarantee"
+INTRODUCTION = ("§5 promises a match at least as good as any whose mismatches have boundary complexity δ at most and between which "
+                "lies a width of ε > 2δ. Planted mismatches show when that is so.")
 
 SEEDS, QUICK_SEEDS = 400, 30
 # ε / δ from, up to; the paper promises from 2 on.
@@ -14,7 +19,7 @@ RUNS = {"lazy-greedy": ("lazy-greedy", "anchor"), "lazy-greedy, anywhere": ("laz
 
 
 def matched(options, row, algorithm, anchor):
-    folder = pathlib.Path(options.build) / "planted"
+    folder = options.build / "planted"
     command = [options.program, "match", folder / f"{row['name']}-source.obj", folder / f"{row['name']}-target.obj", "-o",
                os.devnull, "--json", "--quiet", "--algorithm", algorithm, "--orientation", "preserving", "--no-positions",
                "--anchor", anchor]
@@ -28,17 +33,10 @@ def try_one(job):
 
 
 def measure(options):
-    made = subprocess.run([str(pathlib.Path(options.build) / "make_instances"), "planted",
-                           str(pathlib.Path(options.build) / "planted"), "--count",
-                           str(QUICK_SEEDS if options.quick else SEEDS)], check=True, capture_output=True, text=True).stdout
+    made = run([options.build / "make_instances", "planted", options.build / "planted", "--count",
+                QUICK_SEEDS if options.quick else SEEDS])
     rows = [json.loads(line) for line in made.splitlines()]
-    with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:
-        return {"rows": list(pool.map(try_one, [(options, row) for row in rows], chunksize=8))}
-
-
-def table(header, rows):
-    cells = [header, ["---"] + ["---:"] * (len(header) - 1)] + rows
-    return "\n".join("| " + " | ".join(str(cell) for cell in row) + " |" for row in cells) + "\n"
+    return {"rows": in_parallel(options, try_one, [(options, row) for row in rows])}
 
 
 def class_of(row):
@@ -56,25 +54,32 @@ def as_good(rows, name):
     return f"{sum(row[name] >= row['planted'] for row in rows)}"
 
 
+def promised(raw):
+    return [row for row in raw["rows"] if row["epsilon"] > 2 * row["delta"]]
+
+
+def bars(raw):
+    rows = promised(raw)
+    return [Bar(f"{name}: share of the promised matches that are at least as large",
+                sum(row[name] >= row["planted"] for row in rows) / max(1, len(rows)), 1.0) for name in ("lazy-greedy", "regions")]
+
+
 def page(raw):
-    lines, worst = [], []
-    for index, bounds in enumerate(CLASSES):
-        rows = [row for row in raw["rows"] if class_of(row) == index]
-        if not rows:
-            continue
-        lines.append([name_of(bounds), len(rows)] + [as_good(rows, name) for name in RUNS])
-        worst.append([name_of(bounds), len(rows)] + [f"{min(row[name] / row['planted'] for row in rows):.2%}" for name in RUNS])
-    promised = [row for row in raw["rows"] if row["epsilon"] > 2 * row["delta"]]
-    short = max((row["planted"] - row["lazy-greedy"] for row in promised), default=0)
-    return ["\n## The guarantee of §5\n",
-            "Grids, tubes, tori and spheres with one to four places changed, written by `make_instances planted`: δ is the "
+    classes = [(bounds, [row for row in raw["rows"] if class_of(row) == index]) for index, bounds in enumerate(CLASSES)]
+    classes = [(name_of(bounds), rows) for bounds, rows in classes if rows]
+    found = [[name, len(rows)] + [as_good(rows, run_name) for run_name in RUNS] for name, rows in classes]
+    worst = [[name, len(rows)] + [f"{min(row[run_name] / row['planted'] for row in rows):.2%}" for run_name in RUNS]
+             for name, rows in classes]
+    short = max((row["planted"] - row["lazy-greedy"] for row in promised(raw)), default=0)
+    return [bar_table(bars(raw)),
+            "\nGrids, tubes, tori and spheres with one to four places changed, written by `make_instances planted`: δ is the "
             "longest rim of a mismatch in edges, ε the least width between mismatches, or to the boundary, in quads, both "
             "measured. Each is matched by `quadmatch match --anchor`, from a true pair in the middle of a corridor, or from "
-            "one *anywhere*. How often at least as many faces are matched as were planted in one region; the paper promises "
-            "it of lazy-greedy where ε > 2δ:\n",
-            table(["ε / δ", "instances", *RUNS], lines),
+            "one *anywhere*. How often at least as many faces are matched as were planted in one region; the promise is from "
+            "2 on, and of lazy-greedy:\n",
+            table(["ε / δ", "instances", *RUNS], found),
             "\nThe worst instance of each class, faces matched by faces planted:\n",
             table(["ε / δ", "instances", *RUNS], worst),
-            f"\n{len(promised)} instances with ε > 2δ; there lazy-greedy from the middle falls short of the planted match by "
+            f"\nIn {len(promised(raw))} instances ε > 2δ. There lazy-greedy from the middle falls short of the planted match by "
             f"{max(short, 0)} faces at most. Why it can, however wide the corridors are: "
-            "[design note 014](design/014-guarantee.md).\n"]
+            "[design note 014](../design/014-guarantee.md).\n"]

@@ -1,9 +1,14 @@
 """Theorems 3.1 and 3.2: graphs as meshes, and what becomes of the question whether 7n quads match."""
-import concurrent.futures
 import json
 import os
-import pathlib
 import subprocess
+
+from parts.common import Bar, bar_table, run, table
+from parts.subjects import in_parallel
+
+TITLE = "Is the graph Hamiltonian?"
+INTRODUCTION = ("Theorem 3.1: a ring of 8n quads, M₁, and a cubic planar graph of n vertices as a mesh, M₂. 7n quads match in one "
+                "region exactly when the graph is Hamiltonian. Theorem 3.2 asks whether they do.")
 
 # Graphs, and how long the exact search may take; tutte is there for the heuristics.
 SECONDS = {"k4": 30, "prism": 30, "cube": 30, "bridged": 60, "truncated-tetrahedron": 60, "three-branches": 200,
@@ -23,7 +28,7 @@ def run_cpu(command):
 
 
 def report(options, row, more, statuses):
-    folder = pathlib.Path(options.build) / "gadgets"
+    folder = options.build / "gadgets"
     status, out, seconds = run_cpu([options.program, "match", folder / f"{row['name']}-source.obj",
                                     folder / f"{row['name']}-target.obj", "-o", os.devnull, "--json", "--quiet", *more])
     if status not in statuses:
@@ -44,17 +49,16 @@ def solve(job):
 
 
 def measure(options):
-    made = subprocess.run([str(pathlib.Path(options.build) / "make_instances"), "gadgets",
-                           str(pathlib.Path(options.build) / "gadgets"), "--graph", *(QUICK if options.quick else SECONDS)],
-                          check=True, capture_output=True, text=True).stdout
+    made = run([options.build / "make_instances", "gadgets", options.build / "gadgets", "--graph",
+                *(QUICK if options.quick else SECONDS)])
     rows = [json.loads(line) for line in made.splitlines()]
-    with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:
-        return {"rows": list(pool.map(solve, [(options, row) for row in rows]))}
+    return {"rows": in_parallel(options, solve, [(options, row) for row in rows])}
 
 
-def table(header, rows):
-    cells = [header, ["---"] + ["---:"] * (len(header) - 1)] + rows
-    return "\n".join("| " + " | ".join(str(cell) for cell in row) + " |" for row in cells) + "\n"
+def bars(raw):
+    settled = [row for row in raw["rows"] if row["answer"] != "unknown"]
+    right = sum((row["answer"] == "yes") == row["hamiltonian"] for row in settled)
+    return [Bar("answers that are as the theorem says, of those given", right / max(1, len(settled)), 1.0)]
 
 
 def page(raw):
@@ -62,12 +66,11 @@ def page(raw):
     lines = [[row["name"], row["n"], "yes" if row["hamiltonian"] else "no", row["source"], row["target"], row["asked"],
               row["answer"], f"{row['nodes']:,}", f"{row['cpu_seconds']:.1f}", row["largest"]] + [row[name] for name in HEURISTICS]
              for row in rows]
-    settled = [row for row in rows if row["answer"] != "unknown"]
-    right = sum((row["answer"] == "yes") == row["hamiltonian"] for row in settled)
-    return ["\n## Is the graph Hamiltonian?\n",
-            "Theorem 3.1's meshes of named cubic planar graphs, written by `make_instances gadgets`: 7n quads of M₁ match "
-            "in one region exactly when the graph is Hamiltonian. Asked by `quadmatch match --algorithm exact --at-least "
-            "7n`, with a time limit; one thread, processor seconds. *Largest*: the largest region seen on the way, which "
-            "ends at the answer. Behind it the largest region of each of the other algorithms, from anchors of their own.\n",
-            table(["graph", "n", "Hamiltonian", "M₁", "M₂", "7n", "7n match", "nodes", "s", "largest", *HEURISTICS], lines),
-            f"\n{len(settled)} of {len(rows)} settled, {right} of these as the theorem says.\n"]
+    settled = sum(row["answer"] != "unknown" for row in rows)
+    return [bar_table(bars(raw)),
+            "\nGraphs by name, written as meshes by `make_instances gadgets`; asked by `quadmatch match --algorithm exact "
+            "--at-least 7n` with a time limit; one thread, processor seconds. *Seen*: the largest region that the search saw "
+            "before it had its answer. Behind it the largest region of each of the other algorithms, from anchors of their own: "
+            "in these meshes hardly a place is told from others, and regions finds none to begin from.\n",
+            table(["graph", "n", "Hamiltonian", "M₁", "M₂", "7n", "7n match", "nodes", "s", "seen", *HEURISTICS], lines),
+            f"\n{settled} of {len(rows)} are settled in time.\n"]
