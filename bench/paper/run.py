@@ -16,7 +16,7 @@ import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from paper import PARTS
-from parts.common import ROOT, Options, conditions, keep, kept
+from parts.common import ROOT, Options, bar_table, conditions, keep, kept, table
 
 
 def parse(arguments):
@@ -55,6 +55,22 @@ def write_page(options, name):
     (options.docs / f"{name}.md").write_text("\n".join(lines).rstrip() + "\n", encoding="utf-8")
 
 
+def write_index(options):
+    """What there is, which bars it meets, and how long it took."""
+    raw = {name: kept(options, f"{name}.json") for name in PARTS}
+    raw = {name: value for name, value in raw.items() if value is not None}
+    bars = [bar for name, value in raw.items() if hasattr(PARTS[name], "bars") for bar in PARTS[name].bars(value["figures"])]
+    lines = ["# The paper, reproduced\n",
+             "Every table and figure of the paper from our own models and real ones, its hardness proof as meshes, its "
+             "guarantee put to the test, and how far from the optimum each algorithm stays. `bench/paper/run.py` makes all "
+             "of these pages and keeps the raw figures in `docs/paper/results/`. How we read the paper, and the test for "
+             "each sentence, stands in [Reading the paper](../reading-the-paper.md).\n",
+             table(["page", "what", "minutes"], [[f"[{PARTS[name].TITLE}]({name}.md)", PARTS[name].INTRODUCTION,
+                                                  f"{value['minutes']:.1f}"] for name, value in raw.items()]),
+             "\n" + bar_table(bars)]
+    (options.docs / "index.md").write_text("\n".join(lines).rstrip() + "\n", encoding="utf-8")
+
+
 def main(arguments):
     chosen, options = parse(arguments)
     if not options.program.exists():
@@ -64,6 +80,7 @@ def main(arguments):
         measure(options, name)
     for name in PARTS:
         write_page(options, name)
+    write_index(options)
 
 
 if __name__ == "__main__":
