@@ -122,6 +122,7 @@ class Judge {
     for (const Candidate& pair : pairs) corners += bench_.misfit.disagreeing_corners(pair);
     return corners;
   }
+
   Workbench& bench_;
   std::vector<Corners> corners_;
   std::optional<Likelihood> likelihood_;  // learnt when it is first asked

@@ -40,8 +40,8 @@ class Splitter {
     VertexId vertex;
   };
 
-  /// A face is calm if no corner of it is one of the rim's, nor one of several fans in either mesh. All faces about such
-  /// corners lie on all faces about their images: nothing can disagree there.
+  /// A face is calm if no corner of it is one of the rim's, nor one of several fans in either mesh. All faces about
+  /// such corners lie on all faces about their images: nothing can disagree there.
   void find_calm(const std::vector<HalfedgeId>& rim) {
     const auto unsettle_about = [&](HalfedgeId corner) {
       for (const HalfedgeId h : source_.outgoing(source_.fan(corner))) is_calm_[source_.face(h)] = false;
