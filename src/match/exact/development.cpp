@@ -89,19 +89,12 @@ FaceId Development::edge_opponent(HalfedgeId here, HalfedgeId there, std::uint32
 
 void Development::put_label(const Pair& pair, FaceId parent) {
   const Mesh& mesh = partial_.mesh(side_);
-  const Mesh& mesh_there = partial_.mesh(other(side_));
-  HalfedgeId here = half(pair, side_), there = half(pair, other(side_));
+  const HalfedgeId here = half(pair, side_), there = half(pair, other(side_));
   const FaceId face = mesh.face(here);
-  const HalfedgeId first = mesh.first(face);
-  taken_[mesh_there.face(there)] = {stamp_, 0, face};
-  for (std::uint32_t corner = mesh.size(face); corner > 0; --corner) {
-    const VertexId v = mesh.origin(here), w = mesh_there.origin(there);
-    if (image_[v].stamp != stamp_) image_[v] = {stamp_, w.value, face};
-    if (origin_[w].stamp != stamp_) origin_[w] = {stamp_, v.value, face};
-    if (here == first) labels_[face] = {stamp_, there, parent};
-    here = mesh.next(here);
-    there = mesh_there.next(there);
-  }
+  const std::uint32_t size = mesh.size(face), corner = mesh.corner(here);
+  labels_[face] = {stamp_, partial_.turned(other(side_), there, corner == 0 ? 0 : size - corner), parent};
+  taken_[partial_.mesh(other(side_)).face(there)] = {stamp_, 0, face};
+  claim_corners(pair);
   queue_.push_back(pair);
 }
 
@@ -127,18 +120,24 @@ bool Development::reach(const Pair& pair, FaceId parent) {
   return false;
 }
 
-/// Breadth first, so that the first clash has short paths. False where there is one.
+/// Breadth first, so that the first clash has short paths. False where there is one; called again after its faces are
+/// packed, it goes on from there.
 bool Development::develop(const Rim& rim) {
   const Mesh& mesh = partial_.mesh(side_);
   const Mesh& mesh_there = partial_.mesh(other(side_));
-  ++stamp_;
-  queue_.clear();
   for (const Pair& inside : rim) {
     const Pair pair = beyond(partial_, inside);
     if (half(pair, side_).valid() && !reach(pair, FaceId())) return false;
   }
-  for (std::size_t next = 0; next < queue_.size(); ++next) {
-    HalfedgeId here = half(queue_[next], side_), there = half(queue_[next], other(side_));
+  for (; !cut_off_.empty(); cut_off_.pop_back()) {
+    for (const HalfedgeId here : mesh.halfedges(cut_off_.back())) {
+      const HalfedgeId across = mesh.twin(here);
+      if (!across.valid() || !is_labelled(mesh.face(across))) continue;
+      if (!reach(pair_of(side_, here, mesh_there.twin(label_of(across))), mesh.face(across))) return false;
+    }
+  }
+  for (; next_ < queue_.size(); ++next_) {
+    HalfedgeId here = half(queue_[next_], side_), there = half(queue_[next_], other(side_));
     const FaceId face = mesh.face(here);
     for (std::uint32_t corner = mesh.size(face); corner > 0; --corner) {
       const HalfedgeId across = mesh.twin(here);
@@ -148,6 +147,55 @@ bool Development::develop(const Rim& rim) {
     }
   }
   return true;
+}
+
+/// Take the labels of packed faces away, and of all whose path to the rim went through them; those may have another.
+void Development::prune() {
+  std::size_t kept = 0, kept_before_next = 0;
+  const Mesh& mesh = partial_.mesh(side_);
+  for (std::size_t k = 0; k < queue_.size(); ++k) {
+    const FaceId face = mesh.face(half(queue_[k], side_));
+    const FaceId parent = labels_[face].parent;
+    if (!is_packed(face) && (!parent.valid() || is_labelled(parent))) {
+      kept_before_next += k < next_ ? 1 : 0;
+      queue_[kept++] = queue_[k];
+      continue;
+    }
+    take_label(queue_[k]);
+    if (!is_packed(face)) cut_off_.push_back(face);
+  }
+  queue_.resize(kept);
+  next_ = kept_before_next;
+  for (const Pair& pair : queue_) claim_corners(pair);
+}
+
+void Development::take_label(const Pair& pair) {
+  const Mesh& mesh = partial_.mesh(side_);
+  const Mesh& mesh_there = partial_.mesh(other(side_));
+  const FaceId face = mesh.face(half(pair, side_)), face_there = mesh_there.face(half(pair, other(side_)));
+  labels_[face].stamp = 0;
+  taken_[face_there].stamp = 0;
+  for (const HalfedgeId h : mesh.halfedges(face)) {
+    if (image_[mesh.origin(h)].owner == face) image_[mesh.origin(h)].stamp = 0;
+  }
+  for (const HalfedgeId h : mesh_there.halfedges(face_there)) {
+    if (origin_[mesh_there.origin(h)].owner == face) origin_[mesh_there.origin(h)].stamp = 0;
+  }
+}
+
+/// The vertices of a labelled face that no other speaks for.
+void Development::claim_corners(const Pair& pair) {
+  const Mesh& mesh = partial_.mesh(side_);
+  const Mesh& mesh_there = partial_.mesh(other(side_));
+  HalfedgeId here = half(pair, side_), there = half(pair, other(side_));
+  const FaceId face = mesh.face(here);
+  for (std::uint32_t corner = mesh.size(face); corner > 0; --corner) {
+    const VertexId v = mesh.origin(here), w = mesh_there.origin(there);
+    if (image_[v].stamp != stamp_) image_[v] = {stamp_, w.value, face};
+    if (origin_[w].stamp != stamp_) origin_[w] = {stamp_, v.value, face};
+    here = mesh.next(here);
+    there = mesh_there.next(there);
+  }
 }
 
 bool Development::is_within(FaceId face) const {
@@ -176,6 +224,7 @@ void Development::pack_clash() {
   pack_face(clash_face_);
   for (const std::uint32_t level : touched_) ++touches_[level];
   ++sets_;
+  prune();
 }
 
 /// What the ring of a level must lose, should that be more than the sets which touch it: then they are not counted.
@@ -203,19 +252,29 @@ Pair Development::root_of_clash(const Rim& rim) const {
   return {};
 }
 
-Packing Development::pack(Side side, std::uint32_t level, const Rim& rim, std::uint32_t enough) {
+void Development::begin_packing(Side side) {
   side_ = side;
-  level_ = level;
   sets_ = 0;
   ++packing_;
+  ++stamp_;
+  queue_.clear();
+  cut_off_.clear();
   touches_.assign(partial_.levels().size(), 0);
+}
+
+Packing Development::pack(std::uint32_t level, const Rim& rim, std::uint32_t enough) {
+  level_ = level;
+  next_ = 0;  // what was outside may be within now
   Packing packing;
-  packing.free_of_conflict = develop(rim);
-  if (!packing.free_of_conflict) {
-    packing.root = root_of_clash(rim);
-    do {
-      pack_clash();
-    } while (losses() < enough && !develop(rim));
+  bool first = true;
+  while (losses() < enough) {
+    if (develop(rim)) {
+      packing.free_of_conflict = sets_ == 0;
+      break;
+    }
+    if (first) packing.root = root_of_clash(rim);
+    first = false;
+    pack_clash();
   }
   packing.losses = losses();
   return packing;

@@ -13,7 +13,8 @@ namespace quadmatch::exact {
 struct Packing {
   /// Open faces that every better region which holds the partial one loses at least.
   std::uint32_t losses = 0;
-  /// Nothing is in conflict: the partial region and its whole development are a region.
+  /// Nothing is in conflict (level 0, and nothing packed before): the partial region and its whole development are a
+  /// region.
   bool free_of_conflict = false;
   /// The pair of the rim at the root of the first conflict found, the shortest.
   Pair root;
@@ -34,10 +35,12 @@ class Development {
   /// @pre count_reach was called last for this side.
   [[nodiscard]] bool is_reached(FaceId face) const { return reach_stamp_[face] == reach_; }
 
-  /// Pack conflict sets of a side, and what its levels demand, up to `enough` losses.
-  /// @param level  only within this level of the side, and only what is lost there.
+  /// Begin a packing of a side.
+  void begin_packing(Side side);
+  /// Pack conflict sets, and what the levels of the side demand, up to `enough` losses; the sets packed before stay.
+  /// @param level  only within this level of the side, and only what is lost there; from call to call it falls.
   /// @pre propagated: every pair beyond the rim fits, and open faces that cannot be reached are out.
-  Packing pack(Side side, std::uint32_t level, const Rim& rim, std::uint32_t enough);
+  Packing pack(std::uint32_t level, const Rim& rim, std::uint32_t enough);
 
   /// May the face be among the losses that the last packing counted? @pre the same side
   [[nodiscard]] bool may_be_lost(FaceId face) const {
@@ -66,6 +69,9 @@ class Development {
   [[nodiscard]] FaceId corner_opponent(HalfedgeId here, HalfedgeId there, std::uint32_t size) const;
   [[nodiscard]] FaceId edge_opponent(HalfedgeId here, HalfedgeId there, std::uint32_t size) const;
   void put_label(const Pair& pair, FaceId parent);
+  void take_label(const Pair& pair);
+  void claim_corners(const Pair& pair);
+  void prune();
   [[nodiscard]] bool is_labelled(FaceId face) const { return labels_[face].stamp == stamp_; }
   [[nodiscard]] HalfedgeId label_of(HalfedgeId here) const;
   [[nodiscard]] bool is_packed(FaceId face) const { return packed_[face] == packing_; }
@@ -88,7 +94,9 @@ class Development {
   PerFace<Owned> taken_;             // of the other side: which face lies there
   PerVertex<Owned> image_, origin_;  // of this side's vertices, of the other's
   PerFace<std::uint32_t> packed_, reach_stamp_;
-  std::vector<Pair> queue_;
+  std::vector<Pair> queue_;      // labelled, parents before children
+  std::size_t next_ = 0;         // in it: whose neighbours are to be reached
+  std::vector<FaceId> cut_off_;  // have lost their labels, to be reached again
   std::vector<FaceId> to_visit_;
   FaceId clash_parent_, clash_face_, clash_opponent_;
 };

@@ -48,18 +48,21 @@ bool Search::examine(Rim& rim, Pair& branch) {
     std::array<std::uint32_t, 2> reach{};
     if (bound_by_reach(rim, reach) == Bound::Closed || !demands_can_be_met()) return false;
 
+    const Side levelled = partial_.level_side();
+    development_.begin_packing(levelled);
     const SideBound inner = bound_levels(rim);
     if (inner.bound == Bound::Closed) return false;
     if (inner.bound == Bound::Tighter) continue;
-    const Side first = reach[kSource] <= reach[kTarget] ? kSource : kTarget;
-    const SideBound near = bound_side(first, rim, reach[first]);
+    const SideBound near = bound_side(levelled, rim, reach[levelled]);
     if (near.bound == Bound::Closed) return false;
     if (near.bound == Bound::Tighter) continue;
-    const SideBound far = bound_side(other(first), rim, reach[other(first)]);
+    development_.begin_packing(other(levelled));
+    const SideBound far = bound_side(other(levelled), rim, reach[other(levelled)]);
     if (far.bound == Bound::Closed) return false;
     if (far.bound == Bound::Tighter) continue;
     if (sheets_.exclude_unreached(partial_, rim)) continue;
-    branch = inner.root.source.valid() ? inner.root : near.largest <= far.largest ? near.root : far.root;
+    branch = inner.root;
+    if (!branch.source.valid()) branch = near.root.source.valid() && near.largest <= far.largest ? near.root : far.root;
     return true;
   }
 }
@@ -101,7 +104,7 @@ Search::SideBound Search::bound_levels(Rim& rim) {
 
 Search::SideBound Search::bound_level(std::uint32_t level, std::uint32_t out, Rim& rim) {
   const std::uint32_t left = partial_.levels()[level].budget - out;
-  const Packing packing = development_.pack(partial_.level_side(), level, rim, left + 1);
+  const Packing packing = development_.pack(level, rim, left + 1);
   if (packing.losses > left) return {.bound = Bound::Closed};
   const Bound forced = packing.losses == left ? force(partial_.level_side(), level, rim) : Bound::Open;
   return {.bound = forced, .root = packing.root};
@@ -110,7 +113,7 @@ Search::SideBound Search::bound_level(std::uint32_t level, std::uint32_t out, Ri
 /// All that can be reached, less what is lost of it.
 Search::SideBound Search::bound_side(Side side, Rim& rim, std::uint32_t reach) {
   const std::uint32_t most = partial_.size() + reach;
-  const Packing packing = development_.pack(side, 0, rim, most - incumbent_.to_beat);
+  const Packing packing = development_.pack(0, rim, most - incumbent_.to_beat);
   if (packing.free_of_conflict) {
     offer_development();
     return {.bound = Bound::Closed, .largest = most};
