@@ -51,7 +51,11 @@ HalfedgeId Partial::image(Side side, HalfedgeId h) const {
 
 bool Partial::fits(const Pair& pair) const {
   const FaceId f = meshes_[kSource]->face(pair.source), g = meshes_[kTarget]->face(pair.target);
-  if (!is_open(kSource, f) || !is_open(kTarget, g)) return false;
+  return is_open(kSource, f) && is_open(kTarget, g) && agrees(pair);
+}
+
+bool Partial::agrees(const Pair& pair) const {
+  const FaceId f = meshes_[kSource]->face(pair.source), g = meshes_[kTarget]->face(pair.target);
   const std::uint32_t size = meshes_[kSource]->size(f);
   if (size != meshes_[kTarget]->size(g) || !corners_agree(pair, size) || !neighbours_agree(pair, size)) return false;
   return (repeats_[kSource][f] == 0 && repeats_[kTarget][g] == 0) || repeat_alike(pair, size);

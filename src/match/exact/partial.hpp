@@ -65,6 +65,10 @@ class Partial {
   /// May this pair join: both faces are open, of one size, agree with the vertex map at every corner, and are adjacent
   /// to faces that are in across corresponding edges only?
   [[nodiscard]] bool fits(const Pair& pair) const;
+  /// The same of its corners and neighbours, whether its faces are open or out. @pre they are not in
+  [[nodiscard]] bool agrees(const Pair& pair) const;
+  /// The vertex of the other side that v lies on, if it has one.
+  [[nodiscard]] VertexId partner(Side side, VertexId v) const { return partner_[side][v]; }
   /// @pre fits(pair)
   void commit(const Pair& pair);
   /// @pre the face is open

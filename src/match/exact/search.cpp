@@ -22,7 +22,7 @@ bool Search::run(Rim rim, std::uint64_t limit) {
     }
     Pair branch;
     if (examine(rim, branch)) {
-      choices.push_back({partial_.mark(), rim, branch});
+      choices.push_back({partial_.mark(), rim, branch, left_out_.size()});
       partial_.commit(branch);
       extend(rim, partial_, branch);
       continue;
@@ -31,11 +31,14 @@ bool Search::run(Rim rim, std::uint64_t limit) {
     partial_.undo(choices.back().mark);
     rim = std::move(choices.back().rim);
     const Pair left_out = choices.back().pair;
+    left_out_.resize(choices.back().left_out);
+    left_out_.push_back(left_out);
     choices.pop_back();
     partial_.exclude(kSource, partial_.mesh(kSource).face(left_out.source));
     partial_.exclude(kTarget, partial_.mesh(kTarget).face(left_out.target));
   }
   partial_.undo(start);
+  left_out_.clear();
   return finished;
 }
 
@@ -45,6 +48,9 @@ bool Search::examine(Rim& rim, Pair& branch) {
     propagate(partial_, rim);
     incumbent_.offer(partial_.pairs(), {}, orientation_);
     if (rim.empty()) return false;
+    if (take_in_unopposed(rim)) continue;
+    Pair nearby;
+    if (find_unopposed(rim, nearby)) return false;
     std::array<std::uint32_t, 2> reach{};
     if (bound_by_reach(rim, reach) == Bound::Closed || !demands_can_be_met()) return false;
 
@@ -61,10 +67,37 @@ bool Search::examine(Rim& rim, Pair& branch) {
     if (far.bound == Bound::Closed) return false;
     if (far.bound == Bound::Tighter) continue;
     if (sheets_.exclude_unreached(partial_, rim)) continue;
+    branch = nearby;
+    if (branch.source.valid()) return true;
     branch = inner.root;
     if (!branch.source.valid()) branch = near.root.source.valid() && near.largest <= far.largest ? near.root : far.root;
     return true;
   }
+}
+
+/// Nothing can clash with these, so whatever region holds the partial one may as well hold them. True if there are any.
+bool Search::take_in_unopposed(Rim& rim) {
+  const std::size_t entries = rim.size();
+  const std::uint32_t before = partial_.size();
+  for (std::size_t k = 0; k < entries; ++k) {
+    const Pair pair = beyond(partial_, rim[k]);
+    if (!pair.source.valid() || !pair.target.valid() || !partial_.fits(pair)) continue;
+    if (witnesses_.against(pair) != Witnesses::Answer::Impossible) continue;
+    partial_.commit(pair);
+    extend(rim, partial_, pair);
+  }
+  return partial_.size() > before;
+}
+
+/// Was a pair left out with which nothing can clash? Then all regions here could be larger. If not, the next choice is
+/// best made near one with which nothing clashes yet.
+bool Search::find_unopposed(const Rim& rim, Pair& nearby) const {
+  for (const Pair& pair : left_out_) {
+    const Witnesses::Answer answer = witnesses_.against(pair);
+    if (answer == Witnesses::Answer::Impossible) return true;
+    if (answer == Witnesses::Answer::Possible && !nearby.source.valid()) nearby = witnesses_.nearby(pair, rim);
+  }
+  return false;
 }
 
 /// Open faces that no path of open faces joins to the rim are out. Unlike a label this holds whatever else is decided.

@@ -7,6 +7,7 @@
 #include "incumbent.hpp"
 #include "partial.hpp"
 #include "sheets.hpp"
+#include "witnesses.hpp"
 
 namespace quadmatch::exact {
 
@@ -18,7 +19,8 @@ class Search {
         incumbent_(incumbent),
         budget_(budget),
         development_(partial),
-        sheets_(partial) {}
+        sheets_(partial),
+        witnesses_(partial) {}
 
   /// Search below what is committed now, and leave it as it was.
   /// @param rim    where the partial region can grow.
@@ -32,6 +34,7 @@ class Search {
     Partial::Mark mark;
     Rim rim;
     Pair pair;
+    std::size_t left_out;  // pairs that had been left out before
   };
   enum class Bound { Closed, Tighter, Open };
   struct SideBound {
@@ -41,6 +44,8 @@ class Search {
   };
 
   bool examine(Rim& rim, Pair& branch);
+  bool take_in_unopposed(Rim& rim);
+  bool find_unopposed(const Rim& rim, Pair& nearby) const;
   void offer_development();
   Bound bound_by_reach(const Rim& rim, std::array<std::uint32_t, 2>& reach);
   [[nodiscard]] bool demands_can_be_met() const;
@@ -55,6 +60,8 @@ class Search {
   Budget& budget_;
   Development development_;
   Sheets sheets_;
+  Witnesses witnesses_;
+  std::vector<Pair> left_out_;  // by choice, above the node that is examined
 };
 
 }  // namespace quadmatch::exact
