@@ -72,7 +72,7 @@ class Solver {
   std::uint32_t losses_ = 0;                // of a better region in it, by what is proved in this round
   PerFace<std::uint8_t> matched_;           // faces of that side in the incumbent
   std::mt19937 random_{1};
-  double patience_ = 3000;  // nodes below one placement
+  double patience_ = 30000;  // nodes below one placement
 };
 
 }  // namespace quadmatch::exact
