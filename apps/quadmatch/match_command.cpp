@@ -130,6 +130,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(const MatchArgument
                                                             {"arc_lengths", arguments.arc_lengths ? "true" : "false"},
                                                             {"positions", arguments.no_positions ? "false" : "true"}};
   if (arguments.time_limit != 0) settings.emplace_back("time_limit", fmt::format("{}", arguments.time_limit));
+  if (arguments.at_least != 0) settings.emplace_back("at_least", fmt::format("{}", arguments.at_least));
   if (!arguments.without.empty()) settings.emplace_back("without", joined(arguments.without, " "));
   if (!arguments.anchors.empty()) settings.emplace_back("anchors", joined(arguments.anchors, " "));
   return settings;
@@ -271,8 +272,8 @@ void add_match_command(CLI::App& program, Action& chosen) {
   verb->add_option(
           "--algorithm", arguments->algorithm,
           "regions: many anchors, many regions, belief by evidence. The paper's, of one region: lazy-greedy, the "
-          "largest compatible component first; greedy, every face that fits, wave by wave. exact: the largest region "
-          "there is, proved, for small meshes")
+          "largest compatible component first; greedy, every face that fits, wave by wave. exact: the largest region, "
+          "proved, for small meshes")
       ->check(one_of(kAlgorithms))
       ->type_name("NAME")
       ->capture_default_str();

@@ -83,7 +83,7 @@ TEST_CASE("wrong usage is one line on standard error with a hint, and exit statu
       {{"match", "a", "b", "--fast"}, "The following argument was not expected: --fast; see quadmatch match --help"},
       {{"match", "a", "b", "--rounds", "many"}, "Could not convert: --rounds = many; see quadmatch match --help"},
       {{"match", "a", "b", "--algorithm", "x"},
-       "--algorithm: x not in {greedy,lazy-greedy,regions}; see quadmatch match --help"},
+       "--algorithm: x not in {exact,greedy,lazy-greedy,regions}; see quadmatch match --help"},
       {{"match", "a", "b", "--orientation", "x"},
        "--orientation: x not in {auto,preserving,reversing}; see quadmatch match --help"},
   };
