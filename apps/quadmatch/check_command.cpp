@@ -1,9 +1,11 @@
 // quadmatch check A...: is each mesh simple and well-formed (§2.1), and where is it not?
 
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include <quadmatch/analysis/connectivity_hash.hpp>
 #include <quadmatch/mesh/check.hpp>
 
 #include "command.hpp"
@@ -24,16 +26,22 @@ Matching takes any mesh; this tells where one departs from the ideal.
 A vertex is extraordinary when its valence is not 4 inside, or not 3 on the boundary.
 Elements are numbered from 0, in the order of the file: v12 is a vertex, f7 a face.
 
+--hash names what a mesh is by its connectivity: meshes have the same hash if one is the
+other with vertices, faces and first corners in another order, and only then. One hash keeps
+the orientation, the other is the same for a mirror image too. Positions do not matter.
+
 Examples:
   quadmatch check model.obj
   quadmatch check *.obj --json
   quadmatch check model.obj --list 100
+  quadmatch check *.obj --hash --json | jq -r '.[] | .hash.unoriented + " " + .path'
 
 Exit status: 0 all are well-formed, 1 one is not, 2 trouble.)";
 
 struct CheckArguments {
   std::vector<std::string> meshes;
   std::size_t list = 3;
+  bool hash = false;
   bool json = false;
   bool quiet = false;
 };
@@ -87,7 +95,13 @@ void add_departures(Lines& lines, const CheckReport& report) {
   }
 }
 
-std::string as_text(const std::string& path, const CheckReport& report) {
+void add_hash(Lines& lines, const ConnectivityHash& hash) {
+  lines.add("hash", fmt::format("{}, oriented", hash.oriented.hex()));
+  lines.add("", hash.oriented == hash.mirrored ? "  the mesh is its own mirror image, so that is the unoriented one too"
+                                               : fmt::format("{}, unoriented", hash.unoriented().hex()));
+}
+
+std::string as_text(const std::string& path, const CheckReport& report, const std::optional<ConnectivityHash>& hash) {
   Lines lines;
   lines.add("vertices", grouped(report.vertices));
   lines.add("edges", grouped(report.edges));
@@ -96,6 +110,7 @@ std::string as_text(const std::string& path, const CheckReport& report) {
   lines.add("boundary loops", grouped(report.boundary_loops));
   lines.add("extraordinary", fmt::format("{}, {}", counted(report.extraordinary, "vertex", "vertices"),
                                          percent(report.extraordinary, report.vertices)));
+  if (hash) add_hash(lines, *hash);
   add_departures(lines, report);
   return fmt::format("{}: {}\n{}", display_name(path), report.well_formed() ? "well-formed" : "not well-formed",
                      lines.render(2));
@@ -113,7 +128,7 @@ Json component_json(const ComponentReport& component) {
           {"genus", component.genus ? Json(*component.genus) : Json(nullptr)}};
 }
 
-Json as_json(const std::string& path, const CheckReport& report) {
+Json as_json(const std::string& path, const CheckReport& report, const std::optional<ConnectivityHash>& hash) {
   Json components = Json::array();
   for (const ComponentReport& component : report.components) components.push_back(component_json(component));
   Json departures = Json::object();
@@ -124,18 +139,20 @@ Json as_json(const std::string& path, const CheckReport& report) {
   for (const Departure& departure : report.departures) {
     departures[to_string(departure.kind)]["first"].push_back(departure.message);
   }
-  return {{"path", path},
-          {"well_formed", report.well_formed()},
-          {"vertices", report.vertices},
-          {"edges", report.edges},
-          {"faces", report.faces},
-          {"quads", report.quads},
-          {"triangles", report.triangles},
-          {"larger_faces", report.larger},
-          {"boundary_loops", report.boundary_loops},
-          {"extraordinary", report.extraordinary},
-          {"components", components},
-          {"departures", departures}};
+  Json json{{"path", path},
+            {"well_formed", report.well_formed()},
+            {"vertices", report.vertices},
+            {"edges", report.edges},
+            {"faces", report.faces},
+            {"quads", report.quads},
+            {"triangles", report.triangles},
+            {"larger_faces", report.larger},
+            {"boundary_loops", report.boundary_loops},
+            {"extraordinary", report.extraordinary},
+            {"components", components},
+            {"departures", departures}};
+  if (hash) json["hash"] = {{"oriented", hash->oriented.hex()}, {"unoriented", hash->unoriented().hex()}};
+  return json;
 }
 
 int run_check(const CheckArguments& arguments) {
@@ -150,9 +167,11 @@ int run_check(const CheckArguments& arguments) {
     }
     const CheckReport report = check(file->mesh, arguments.list);
     if (!report.well_formed()) status = std::max(status, kDifferent);
+    std::optional<ConnectivityHash> hash;
+    if (arguments.hash) hash = connectivity_hash(file->mesh);
     if (arguments.json) {
-      reports.push_back(as_json(path, report));
-    } else if (!arguments.quiet && !print(as_text(path, report))) {
+      reports.push_back(as_json(path, report, hash));
+    } else if (!arguments.quiet && !print(as_text(path, report, hash))) {
       return kTrouble;
     }
   }
@@ -171,6 +190,8 @@ void add_check_command(CLI::App& program, Action& chosen) {
   verb->add_option("--list", arguments->list, "How many departures of each kind to name; all are counted")
       ->type_name("N")
       ->capture_default_str();
+  verb->add_flag("--hash", arguments->hash,
+                 "Print the hashes of the connectivity, oriented and unoriented (see below)");
   verb->add_flag("--json", arguments->json, "Print the figures as JSON, one object for each mesh");
   verb->add_flag("--quiet", arguments->quiet, "Print nothing, only set the exit status");
 }

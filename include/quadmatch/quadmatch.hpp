@@ -3,6 +3,9 @@
 
 #include <quadmatch/analysis/anchors.hpp>
 #include <quadmatch/analysis/colouring.hpp>
+#include <quadmatch/analysis/connectivity_hash.hpp>
+#include <quadmatch/analysis/group_order.hpp>
+#include <quadmatch/analysis/isomorphism.hpp>
 #include <quadmatch/analysis/skeleton.hpp>
 #include <quadmatch/analysis/vertex_code.hpp>
 #include <quadmatch/io/match_file.hpp>

@@ -16,8 +16,20 @@ Colour hash(const Colour (&string)[kCount]) {
   return XXH3_64bits(string, sizeof string);
 }
 
-std::vector<Colour> refine(const ArcGraph& graph, const PerFan<VertexCode>& codes, const std::vector<Colour>& colours,
-                           const ColouringOptions& options) {
+}  // namespace
+
+std::vector<Colour> initial_spoke_colours(const ArcGraph& separatrices, const PerFan<VertexCode>& codes) {
+  std::vector<Colour> initial;
+  initial.reserve(separatrices.spokes.size());
+  for (std::uint32_t node = 0; node < separatrices.node_count(); ++node) {
+    initial.insert(initial.end(), separatrices.spokes_of(node).size(),
+                   hash({Colour{codes[separatrices.nodes[node]].value}}));
+  }
+  return initial;
+}
+
+std::vector<Colour> refine_spoke_colours(const ArcGraph& graph, const PerFan<VertexCode>& codes,
+                                         const std::vector<Colour>& colours, const ColouringOptions& options) {
   std::vector<Colour> refined(colours.size());
   for (std::uint32_t node = 0; node < graph.node_count(); ++node) {
     const std::uint32_t first = graph.first_spoke[node];
@@ -34,20 +46,12 @@ std::vector<Colour> refine(const ArcGraph& graph, const PerFan<VertexCode>& code
   return refined;
 }
 
-}  // namespace
-
 SpokeColours colour_spokes(const ArcGraph& separatrices, const PerFan<VertexCode>& codes, std::uint32_t rounds,
                            const ColouringOptions& options) {
   SpokeColours colours;
-  std::vector<Colour> initial;
-  initial.reserve(separatrices.spokes.size());
-  for (std::uint32_t node = 0; node < separatrices.node_count(); ++node) {
-    initial.insert(initial.end(), separatrices.spokes_of(node).size(),
-                   hash({Colour{codes[separatrices.nodes[node]].value}}));
-  }
-  colours.rounds.push_back(std::move(initial));
+  colours.rounds.push_back(initial_spoke_colours(separatrices, codes));
   for (std::uint32_t round = 1; round <= rounds; ++round) {
-    colours.rounds.push_back(refine(separatrices, codes, colours.rounds.back(), options));
+    colours.rounds.push_back(refine_spoke_colours(separatrices, codes, colours.rounds.back(), options));
   }
   return colours;
 }

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include <quadmatch/mesh/components.hpp>
+#include <quadmatch/mesh/disjoint_sets.hpp>
 
-#include "disjoint_sets.hpp"
 #include "open_edges.hpp"
 #include "overlaps.hpp"
 

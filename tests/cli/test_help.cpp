@@ -11,7 +11,7 @@ using namespace quadmatch::test;
 
 namespace {
 
-const std::vector<std::string> kVerbs{"match", "verify", "check", "skeleton"};
+const std::vector<std::string> kVerbs{"match", "verify", "check", "diff", "skeleton"};
 
 std::size_t longest_line(const std::string& text) {
   std::size_t longest = 0;
@@ -79,6 +79,11 @@ TEST_CASE("wrong usage is one line on standard error with a hint, and exit statu
       {{"match", "a.obj"}, "B is required; see quadmatch match --help"},
       {{"verify", "a.obj", "b.obj"}, "M is required; see quadmatch verify --help"},
       {{"check"}, "A is required; see quadmatch check --help"},
+      {{"diff", "a.obj"}, "B is required; see quadmatch diff --help"},
+      {{"diff", "a.obj", "b.obj"},
+       "diff compares whole meshes: say --isomorphic; for parts that are the same, see quadmatch match --help"},
+      {{"diff", "a", "b", "--isomorphic", "-o", "-"},
+       "-o - would mix figures and map on standard output; write the map to a file, or say --quiet"},
       {{"skeleton"}, "A is required; see quadmatch skeleton --help"},
       {{"match", "a", "b", "--fast"}, "The following argument was not expected: --fast; see quadmatch match --help"},
       {{"match", "a", "b", "--rounds", "many"}, "Could not convert: --rounds = many; see quadmatch match --help"},

@@ -29,4 +29,12 @@ struct SpokeColours {
 [[nodiscard]] SpokeColours colour_spokes(const ArcGraph& separatrices, const PerFan<VertexCode>& codes,
                                          std::uint32_t rounds, const ColouringOptions& options = {});
 
+/// Round 0: the colour of a spoke is the code of its vertex.
+[[nodiscard]] std::vector<Colour> initial_spoke_colours(const ArcGraph& separatrices, const PerFan<VertexCode>& codes);
+
+/// One more round. @param colours  one per spoke, of the round before.
+[[nodiscard]] std::vector<Colour> refine_spoke_colours(const ArcGraph& separatrices, const PerFan<VertexCode>& codes,
+                                                       const std::vector<Colour>& colours,
+                                                       const ColouringOptions& options = {});
+
 }  // namespace quadmatch

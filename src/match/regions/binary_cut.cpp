@@ -12,8 +12,10 @@
 #include <exception>
 namespace boost {
 struct source_location;
-[[noreturn]] void throw_exception(const std::exception& /*unused*/) { std::abort(); }
-[[noreturn]] void throw_exception(const std::exception& /*unused*/, const source_location& /*unused*/) { std::abort(); }
+[[noreturn]] inline void throw_exception(const std::exception& /*unused*/) { std::abort(); }
+[[noreturn]] inline void throw_exception(const std::exception& /*unused*/, const source_location& /*unused*/) {
+  std::abort();
+}
 }  // namespace boost
 #endif
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
