@@ -78,6 +78,24 @@ void match_meshes(benchmark::State& state, const Mesh& source, const Mesh& targe
   report(state, source, matched);
 }
 
+/// Whether one is the other as a whole, and the map.
+void lay_isomorphically(benchmark::State& state, const Mesh& source, const Mesh& target) {
+  bool same = true;
+  for (auto _ : state) same = same && find_isomorphism(source, target).isomorphism.has_value();
+  if (!same) give_up("a renumbered mesh is found to be another");
+  report(state, source, source.face_count());
+}
+
+void count_symmetries(benchmark::State& state, const Mesh& mesh) {
+  for (auto _ : state) benchmark::DoNotOptimize(count_automorphisms(mesh));
+  report(state, mesh, 0);
+}
+
+void hash_connectivity(benchmark::State& state, const Mesh& mesh) {
+  for (auto _ : state) benchmark::DoNotOptimize(connectivity_hash(mesh));
+  report(state, mesh, 0);
+}
+
 /// Vertices and edges, coloured by vertex code as our engine sees them.
 bliss::Graph graph_of(const Mesh& mesh) {
   bliss::Graph graph;
@@ -102,6 +120,17 @@ void compare_with_bliss(benchmark::State& state, const Mesh& source, const Mesh&
   }
   if (!same) give_up("bliss says that a renumbered mesh is another");
   report(state, source, source.face_count());
+}
+
+/// How many automorphisms the graph has.
+void count_with_bliss(benchmark::State& state, const Mesh& mesh) {
+  for (auto _ : state) {
+    bliss::Graph graph = graph_of(mesh);
+    bliss::Stats stats;
+    graph.find_automorphisms(stats, nullptr, nullptr);
+    benchmark::DoNotOptimize(stats.get_group_size_approx());
+  }
+  report(state, mesh, 0);
 }
 
 void build_mesh(benchmark::State& state, const Mesh& mesh) {
@@ -151,6 +180,10 @@ void register_matching(const Subject& subject) {
   add("lazy-greedy", renumbered, Algorithm::LazyGreedy);
   add("lazy-greedy-in-file-order", copy, Algorithm::LazyGreedy);
   add("greedy", renumbered, Algorithm::Greedy);
+  register_benchmark("isomorphism", source,
+                     [&](benchmark::State& state) { lay_isomorphically(state, source, renumbered); });
+  register_benchmark("automorphisms", source, [&](benchmark::State& state) { count_symmetries(state, source); });
+  register_benchmark("hash", source, [&](benchmark::State& state) { hash_connectivity(state, source); });
 }
 
 void register_reading(Subject& subject, std::string path) {
@@ -183,6 +216,8 @@ int main(int argc, char** argv) {
       register_benchmark("bliss", subject.source, [&subject](benchmark::State& state) {
         compare_with_bliss(state, subject.source, subject.renumbered);
       });
+      register_benchmark("bliss-automorphisms", subject.source,
+                         [&subject](benchmark::State& state) { count_with_bliss(state, subject.source); });
     }
     if (step >= steps - 1) register_reading(subject, fmt::format("{}/{}.obj", argv[3], step));
   }

@@ -54,8 +54,7 @@ TEST_CASE("hash: random soups keep it when renumbered; two have the same exactly
       CAPTURE(j);
       const bool alike = test::same_by_bliss(meshes[i], meshes[j], false);
       CHECK((hashes[i].oriented == hashes[j].oriented) == alike);
-      CHECK((hashes[i].unoriented() == hashes[j].unoriented()) ==
-            test::same_by_bliss(meshes[i], meshes[j], true));
+      CHECK((hashes[i].unoriented() == hashes[j].unoriented()) == test::same_by_bliss(meshes[i], meshes[j], true));
       same += alike ? 1 : 0;
     }
   }
