@@ -1,6 +1,7 @@
 #include "starts.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <tuple>
 #include <utility>
 
@@ -26,6 +27,7 @@ struct Coloured {
 
 /// The looks of a cluster.
 struct Looks {
+  std::size_t halfedges = 0;          ///< that were looked at
   std::size_t count = 0;              ///< that are different
   std::size_t rarest = 0, times = 0;  ///< where the rarest stands, and how many half-edges look so
 };
@@ -37,6 +39,7 @@ std::vector<Looks> sort_by_look(std::vector<Coloured>& halfedges, std::uint32_t 
   for (std::size_t first = 0, last = 0; first < halfedges.size(); first = last) {
     while (last < halfedges.size() && halfedges[last].look() == halfedges[first].look()) ++last;
     Looks& looks = all[halfedges[first].cluster];
+    looks.halfedges += last - first;
     if (looks.count++ > 0 && looks.times <= last - first) continue;
     looks.rarest = first;
     looks.times = last - first;
@@ -58,33 +61,37 @@ class SpokeStarts {
         codes_(vertex_codes(mesh)),
         arcs_(trace_separatrices(mesh, codes_)),
         colours_(initial_spoke_colours(arcs_, codes_)),
+        corners_(clusters.size(), 0),
         is_open_(clusters.is_single),
-        known_(clusters.size(), 0) {}
+        known_(clusters.size(), 0) {
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) corners_[clusters.of_face(FaceId(f))] += mesh.size(FaceId(f));
+  }
 
   /// The starts of the single components that have spokes.
   std::vector<Coloured> find() {
     // What is rare shows early; a mesh that looks alike everywhere is not asked for more than it has.
     constexpr std::uint32_t kMostRounds = 64;
-    settle(false);
-    for (std::uint32_t rounds = 2; rounds <= kMostRounds && open_ > 0; rounds *= 2) {
+    settle(2);
+    for (std::uint32_t rounds = 2; open_ > 0; rounds *= 2) {
       for (std::uint32_t more = rounds / 2; more > 0; --more) {
         colours_ = refine_spoke_colours(arcs_, codes_, colours_, {.arc_lengths = true});
       }
-      settle(rounds == kMostRounds);
+      settle(rounds < kMostRounds ? rounds : 0);
     }
     return std::move(starts_);
   }
 
  private:
-  /// Take the starts of clusters that have a look of its own, or as many looks as when last asked, or of all.
-  void settle(bool all) {
+  /// Take the starts of clusters of which more rounds promise little.
+  /// @param more  rounds that would come next; 0: none, so take those of all.
+  void settle(std::uint32_t more) {
     std::vector<Coloured> halfedges = coloured();
     const std::vector<Looks> looks = sort_by_look(halfedges, clusters_.size());
     open_ = 0;
     for (std::uint32_t cluster = 0; cluster < clusters_.size(); ++cluster) {
       const Looks& own = looks[cluster];
       if (own.count == 0) continue;
-      is_open_[cluster] = !all && own.times > 1 && own.count > known_[cluster];
+      is_open_[cluster] = own.times > 1 && own.count > known_[cluster] && !is_cheaper_to_try(cluster, own, more);
       known_[cluster] = own.count;
       if (is_open_[cluster]) {
         ++open_;
@@ -92,6 +99,13 @@ class SpokeStarts {
         add_rarest(starts_, halfedges, own);
       }
     }
+  }
+
+  /// Starts that are no symmetry are given up early; of those that are, so many are written to their end as the number
+  /// of symmetries has bits.
+  [[nodiscard]] bool is_cheaper_to_try(std::uint32_t cluster, const Looks& looks, std::uint32_t more) const {
+    return std::uint64_t(std::bit_width(looks.times)) * corners_[cluster] <= std::uint64_t{more} * looks.halfedges ||
+           more == 0;
   }
 
   [[nodiscard]] std::vector<Coloured> coloured() const {
@@ -110,6 +124,7 @@ class SpokeStarts {
   PerFan<VertexCode> codes_;
   ArcGraph arcs_;
   std::vector<Colour> colours_;
+  std::vector<std::uint32_t> corners_;  // of each cluster
   std::vector<Coloured> starts_;
   std::vector<bool> is_open_;       // clusters whose starts are still sought
   std::vector<std::size_t> known_;  // looks of each when last asked

@@ -23,7 +23,8 @@ struct Starts {
 /// every half-edge come all those that a symmetry lays it on; should two that do not look alike get the same colour,
 /// there are more to be tried, and that is all.
 ///
-/// Spokes are coloured (see colour_spokes) until a cluster has one of its own, or two checks tell equally many apart. A
+/// Spokes are coloured (see colour_spokes) until a cluster has one of its own, two checks tell equally many
+/// apart, or to try what is left costs no more than to look on. A
 /// cluster where no vertex is extraordinary is a torus or a tube: all half-edges of the former, those on the rim of the
 /// latter.
 ///
