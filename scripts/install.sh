@@ -5,8 +5,8 @@ set -euo pipefail
 
 declare -A sets=(
   [core]="g++ cmake ninja-build libcli11-dev libfmt-dev nlohmann-json3-dev libxxhash-dev libeigen3-dev libboost-dev"
-  [tests]="doctest-dev libtinyobjloader-dev libbliss-dev git python3"
-  [bench]="libbenchmark-dev libtinyobjloader-dev libbliss-dev python3 python3-matplotlib"
+  [tests]="doctest-dev libtinyobjloader-dev libbliss-dev libgmp-dev git python3"
+  [bench]="libbenchmark-dev libtinyobjloader-dev libbliss-dev libgmp-dev python3 python3-matplotlib"
   [quality]="clang-14 clang-format-14 clang-tidy-16 libclang-rt-14-dev"
   [browser]="clang-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc"
   [docs]="mkdocs-material python3-matplotlib"
