@@ -1,13 +1,19 @@
 """The exact search: which edited patches and whole meshes it proves, in what time, and what bound is left otherwise."""
 import collections
 import concurrent.futures
-import importlib
 import json
 import os
 import pathlib
 import random
 import statistics
 import subprocess
+
+from parts.common import Bar, bar_table, table
+from parts.subjects import tool
+
+TITLE = "The largest region, proved"
+INTRODUCTION = ("The problem is NP-hard, and still: for patches of hundreds of quads and whole meshes after one edit, exact "
+                "search finds the largest region there is and proves it.")
 
 # Patches are discs of N faces around a random face of these.
 MESHES = {"suit": "mh_male_casualsuit01", "duck": "tbm_duck_sculpture", "muscle": "pairs/mh_male_generic_muscle/a",
@@ -27,11 +33,6 @@ BARS = {"patches of up to 120 faces": (lambda row: row["faces"] <= 120 and row["
         "patches of 400 faces": (lambda row: row["faces"] == 400 and row["patch"], 0.85),
         "whole meshes after a deletion, rip or collapse": (
             lambda row: not row["patch"] and row["edit"] in ("none", "delete", "rip", "collapse"), 1.0)}
-
-
-def tool(name):
-    """A module of the tools beside the collection; run.py puts their folder on the path."""
-    return importlib.import_module(name)
 
 
 def sized(edits, faces):
@@ -142,18 +143,13 @@ def groups(rows):
     return by_key
 
 
-def table(header, rows):
-    cells = [header, ["---"] + ["---:"] * (len(header) - 1)] + rows
-    return "\n".join("| " + " | ".join(str(cell) for cell in row) + " |" for row in cells) + "\n"
-
-
 def bars(raw):
-    """What was asked, the share that was reached, and how many runs there were."""
     result = []
     for what, (applies, share) in BARS.items():
         rows = [row for row in raw["rows"] if "failed" not in row and applies(row)]
         if rows:
-            result.append((what, share, statistics.mean(row["proved"] for row in rows), len(rows)))
+            result.append(Bar(f"exact: share proved in time of {len(rows)} {what}",
+                              statistics.mean(row["proved"] for row in rows), share))
     return result
 
 
@@ -173,19 +169,17 @@ def patch_lines(rows):
 
 def page(raw):
     rows = [row for row in raw["rows"] if "failed" not in row]
-    lines = ["\n## The largest region, proved\n",
-             "`quadmatch match --algorithm exact --orientation preserving`, one thread, processor seconds. Patches are discs "
+    lines = ["`quadmatch match --algorithm exact --orientation preserving`, one thread, processor seconds. Patches are discs "
              "of N faces of four meshes; 10 seconds each, 30 for 400 faces and for whole meshes. *Surviving*: faces the edit "
              "kept; *true*: pairs of the region found that are the truth; *gap*: bound less size, the largest of the group.\n",
-             table(["what is proved in time", "asked", "reached", "runs"],
-                   [[what, f"{share:.0%}", f"{reached:.1%}", count] for what, share, reached, count in bars(raw)]),
+             bar_table(bars(raw)), "\n" +
              table(["N", "edit", "runs", "proved", "median s", "max s", "median nodes", "max nodes", "size", "surviving",
                     "true", "gap"], patch_lines(rows))]
     whole = [[row["mesh"], row["edit"], row["source_faces"], row["target_faces"], row["size"],
               "proved" if row["proved"] else f"at most {row['bound']}", f"{row['cpu_seconds']:.1f}", row["nodes"],
               row["surviving"], row["true"]] for row in rows if not row["patch"]]
     if whole:
-        lines.append(table(["mesh", "edit", "A", "B", "size", "proved", "s", "nodes", "surviving", "true"], whole))
+        lines.append("\nWhole meshes:\n\n" + table(["mesh", "edit", "A", "B", "size", "proved", "s", "nodes", "surviving", "true"], whole))
     faults = sum(1 for row in rows if row["faults"])
     lines.append(f"\n{len(rows)} matches, {faults} of them unsound by the independent verifier.\n")
     return lines

@@ -68,6 +68,18 @@ def figure_2_1(studio):
     studio.save(figure, "fig_2_1.png")
 
 
+def figure_3_1(studio):
+    """The gadgets: M1 of a cycle, M2 of the graph of a cube, and the 7n quads that a Hamiltonian cycle matches."""
+    studio.programs.run("make_instances", "gadgets", studio.folder, "--graph", "cube")
+    match = json.loads((studio.folder / "cube-match.json").read_text(encoding="utf-8"))
+    figure, panels = draw.panels(2, 9, 4.8)
+    for side, (panel, name) in enumerate(zip(panels, ("source", "target"))):
+        partnered = {pair[side] for region in match["regions"] for pair in region["faces"]}
+        painted(panel, studio.folder / f"cube-{name}.obj", lambda face, partnered=partnered:
+                MATCHED if face in partnered else WRONG if side == 0 else BLANK, ("M1, of a cycle", "M2, of a cube's graph")[side])
+    studio.save(figure, "fig_3_1.png")
+
+
 def figure_4_1(studio):
     """The five extraordinary vertices, and the particles' ways in bold."""
     path = studio.shape("fig_4_1")
@@ -213,7 +225,7 @@ def figure_5_3(studio):
 def measure(options):
     with tempfile.TemporaryDirectory() as folder:
         studio = Studio(options, pathlib.Path(folder))
-        for figure in (figure_2_1, figure_4_1, figure_4_2, figure_5_1):
+        for figure in (figure_2_1, figure_3_1, figure_4_1, figure_4_2, figure_5_1):
             figure(studio)
         return {"greedy": draw_cascade(studio, "greedy", "fig_4_3.png"), "graph": figure_4_4(studio),
                 "lazy-greedy": draw_cascade(studio, "lazy-greedy", "fig_4_5.png"),
@@ -231,7 +243,9 @@ def matched_of(raw):
 def page(raw):
     greedy, lazy, graph = raw["greedy"], raw["lazy-greedy"], raw["graph"]
     lines = shown("2.1", "fig_2_1.png", "The dog toy, of genus 16: `examples/dog_toy.obj`.")
-    lines += ["\n## Fig. 3.1\n", "The gadgets stand with [the hardness proof](hardness.md).\n"]
+    lines += shown("3.1", "fig_3_1.png", "The gadgets of Theorem 3.1, and what a Hamiltonian cycle of the cube's graph matches: "
+                   "7n quads, in blue; in red the one quad of each vertex of M1 that is lost. [How they are "
+                   "built](../design/013-hardness.md), [what exact search says of them](hardness.md).")
     lines += shown("4.1", "fig_4_1.png", "M1: five extraordinary vertices; \"start\" in red, the ways of the particles bold. "
                    "[Why it has a hole](../reading-the-paper.md#fig-41-cannot-be-a-disk).")
     lines += shown("4.2", "fig_4_2.png", "M2: three quads of M1 are compressed into edges.")
