@@ -1,6 +1,5 @@
 """The exact search: which edited patches and whole meshes it proves, in what time, and what bound is left otherwise."""
 import collections
-import concurrent.futures
 import json
 import os
 import pathlib
@@ -9,11 +8,11 @@ import statistics
 import subprocess
 
 from parts.common import Bar, bar_table, table
-from parts.subjects import tool
+from parts.subjects import in_parallel, tool
 
 TITLE = "The largest region, proved"
 INTRODUCTION = ("The problem is NP-hard, and still: for patches of hundreds of quads and whole meshes after one edit, exact "
-                "search finds the largest region there is and proves it.")
+                "search finds the largest region there is and proves it. [How it works](../design/011-exact.md).")
 
 # Patches are discs of N faces around a random face of these.
 MESHES = {"suit": "mh_male_casualsuit01", "duck": "tbm_duck_sculpture", "muscle": "pairs/mh_male_generic_muscle/a",
@@ -109,7 +108,8 @@ def solve(arguments):
     return {**job, "path": "", "source_faces": report["source"]["faces"], "target_faces": report["target"]["faces"],
             "size": report["matched_faces"], "bound": report["optimality"]["bound"],
             "proved": report["optimality"]["proved"], "nodes": report["optimality"]["nodes"], "cpu_seconds": round(seconds, 3),
-            "surviving": len(exact), "true": len(pairs & exact), "faults": len(faults) + (figures["largest_region"] != report["matched_faces"])}
+            "surviving": len(exact), "true": len(pairs & exact),
+            "faults": len(faults) + (figures["largest_region"] != report["matched_faces"])}
 
 
 def jobs_for(options):
@@ -126,8 +126,7 @@ def jobs_for(options):
 def solve_all(options, jobs):
     folder = pathlib.Path(options.build) / "exact"
     folder.mkdir(parents=True, exist_ok=True)
-    with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:
-        return list(pool.map(solve, [(options.program, folder, job) for job in jobs]))
+    return in_parallel(options, solve, [(options.program, folder, job) for job in jobs])
 
 
 def measure(options):
@@ -144,6 +143,7 @@ def groups(rows):
 
 
 def bars(raw):
+    """Shares of the runs that are proved in time, against what was asked."""
     result = []
     for what, (applies, share) in BARS.items():
         rows = [row for row in raw["rows"] if "failed" not in row and applies(row)]
