@@ -1,5 +1,5 @@
 #pragma once
-/// All of quadmatch: read, analyse, match, verify, write.
+/// All of quadmatch: read, analyse, match, verify, put to use, write.
 
 #include <quadmatch/analysis/anchors.hpp>
 #include <quadmatch/analysis/colouring.hpp>
@@ -17,4 +17,5 @@
 #include <quadmatch/mesh/check.hpp>
 #include <quadmatch/mesh/components.hpp>
 #include <quadmatch/mesh/mesh.hpp>
+#include <quadmatch/use/transfer.hpp>
 #include <quadmatch/verify/verify.hpp>
