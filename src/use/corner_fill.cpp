@@ -165,7 +165,7 @@ class SeamPaths {
 std::vector<HalfedgeId> cut_seams(OpenPart& part) {
   const std::vector<SeamEnd> ends = find_seam_ends(part);
   std::vector<std::uint8_t> paired(ends.size(), 0);
-  const std::vector<HalfedgeId> paths = SeamPaths(part, ends).take(paired);
+  std::vector<HalfedgeId> paths = SeamPaths(part, ends).take(paired);
   for (const HalfedgeId h : paths) part.cut(h);
   for (std::size_t e = 0; e < ends.size(); ++e) {
     if (paired[e] == 0) part.cut(ends[e].ways[ends[e].ways.size() / 2]);

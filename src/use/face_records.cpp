@@ -1,6 +1,7 @@
 #include "face_records.hpp"
 
 #include <algorithm>
+#include <map>
 #include <string_view>
 #include <tuple>
 
@@ -49,11 +50,32 @@ struct Track {
   std::vector<RecordId> states;
 };
 
+/// What most of the matched faces of each of the target's objects are in: its other faces shall be there too, or an
+/// object would fall apart in two for being new in places. By own record + 1.
+std::vector<std::uint32_t> objects_taken(const std::vector<std::uint32_t>& theirs,
+                                         const std::vector<std::uint32_t>& own, const ElementMap& map,
+                                         std::size_t own_records) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> votes;
+  for (std::size_t f = 0; f < own.size(); ++f) {
+    if (map.from[f] != kNone && theirs[map.from[f]] != kNone) ++votes[{own[f] + 1, theirs[map.from[f]]}];
+  }
+  std::vector<std::uint32_t> taken(own_records + 1, kNone), most(own_records + 1, 0);
+  for (const auto& [pair, count] : votes) {
+    if (count <= most[pair.first]) continue;
+    most[pair.first] = count;
+    taken[pair.first] = pair.second;
+  }
+  return taken;
+}
+
 Track carried_track(const MeshFile& source, const MeshFile& target, const std::string& keyword, const ElementMap& map,
                     Fill fill, TransferredAttribute& report) {
   const std::vector<std::uint32_t> theirs = states_of(source, keyword);
   const std::vector<std::uint32_t> own = states_of(target, keyword);
   Track track{keyword, std::vector<RecordId>(own.size())};
+  const bool whole = keyword == "o" && fill == Fill::Keep;
+  std::vector<std::uint32_t> taken;
+  if (whole) taken = objects_taken(theirs, own, map, target.face_records.size());
   for (std::size_t f = 0; f < own.size(); ++f) {
     if (map.from[f] != kNone) {
       track.states[f] = {false, theirs[map.from[f]]};
@@ -61,6 +83,9 @@ Track carried_track(const MeshFile& source, const MeshFile& target, const std::s
     } else if (fill == Fill::Smooth && map.nearest[f] != kNone) {
       track.states[f] = {false, theirs[map.nearest[f]]};
       ++(track.states[f].valid() ? report.filled : report.without);
+    } else if (whole && taken[own[f] + 1] != kNone) {
+      track.states[f] = {false, taken[own[f] + 1]};
+      ++report.filled;
     } else if (fill != Fill::None && own[f] != kNone) {
       track.states[f] = {true, own[f]};
       ++report.kept;

@@ -587,6 +587,17 @@ TEST_CASE("groups and materials: the state of each face, kept, given up, or that
   CHECK(states(transferred(source, target, match, materials).file, "g") == Strings{"own", "own", "own", "end"});
 }
 
+TEST_CASE("keep: an object whose matched faces take a name takes it whole, others keep theirs") {
+  MeshFile source = bare(shapes::grid(6, 1)), target = source;
+  source.face_records = {{0, "o", "shirt"}, {2, "o", "button"}};
+  target.face_records = {{0, "o", "one"}, {4, "o", "two"}};
+  const Transferred result = transferred(source, target, identity_without(source.mesh, {3, 4, 5}));
+  CHECK(states(result.file, "o") == std::vector<std::string>{"shirt", "shirt", "button", "shirt", "two", "two"});
+  CHECK(entry(result, "o").carried == 3);
+  CHECK(entry(result, "o").filled == 1);
+  CHECK(entry(result, "o").kept == 2);
+}
+
 TEST_CASE("keep: the pool holds what is used of the source's, then of the target's own, as wide as the wider") {
   MeshFile source = flat(2, 1), target = flat(2, 1);
   target.texture_coordinates = IndexedAttribute{3, {}, {0, 0, 0, 0, 1, 1, 1, 2}};

@@ -13,7 +13,7 @@ namespace quadmatch {
 
 /// What becomes of the elements of the target that are not matched.
 enum class Fill {
-  Keep,    ///< the target's own value, where it has that attribute
+  Keep,    ///< the target's own value, where it has that attribute; objects take a new name whole
   None,    ///< no value
   Smooth,  ///< harmonic interpolation from the rim of the matched part; the nearest matched one's for what has no mean
 };
