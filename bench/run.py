@@ -14,13 +14,14 @@ import pathlib
 import sys
 
 from parts import (ablation, edited, invariance, memory, multi, pairs, plots, posed, quality, regions, skeleton, speed,
-                   unrelated)
+                   transfer, unrelated)
 from parts.common import ROOT, Options, bar_table
 from parts.tried import tried
 
 # In the order of the page.
 PARTS = {"speed": speed, "edited": edited, "memory": memory, "skeleton": skeleton, "quality": quality, "regions": regions,
-         "ablation": ablation, "pairs": pairs, "posed": posed, "multi": multi, "unrelated": unrelated, "invariance": invariance}
+         "ablation": ablation, "pairs": pairs, "posed": posed, "multi": multi, "unrelated": unrelated, "transfer": transfer,
+         "invariance": invariance}
 WITHOUT_COLLECTION = ("speed", "memory", "skeleton")
 
 

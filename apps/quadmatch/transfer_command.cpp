@@ -56,6 +56,9 @@ const std::map<std::string, bool Carry::*> kKinds{
     {"uv", &Carry::texture_coordinates}, {"colours", &Carry::colours},     {"properties", &Carry::properties},
     {"groups", &Carry::groups},          {"materials", &Carry::materials}, {"smoothing", &Carry::smoothing},
     {"normals", &Carry::normals},        {"positions", &Carry::positions}, {"none", nullptr}};
+const std::map<std::string, OrientationChoice> kOrientations{{"auto", OrientationChoice::Auto},
+                                                             {"preserving", OrientationChoice::Preserving},
+                                                             {"reversing", OrientationChoice::Reversing}};
 const std::map<std::string, Fill> kFills{{"keep", Fill::Keep}, {"none", Fill::None}, {"smooth", Fill::Smooth}};
 
 template <class Choice>
@@ -68,6 +71,7 @@ struct TransferArguments {
   std::string output;
   std::string match;
   std::vector<std::string> only;
+  std::string orientation = "auto";
   std::string fill = "keep";
   bool order = false;
   bool allow_ambiguous = false;
@@ -97,6 +101,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(const TransferArgum
       {"only",
        arguments.only.empty() ? "uv colours properties groups materials smoothing" : joined(arguments.only, " ")},
       {"fill", arguments.fill},
+      {"orientation", arguments.orientation},
       {"order", arguments.order ? "true" : "false"},
       {"positions", arguments.no_positions ? "false" : "true"}};
   if (!arguments.match.empty()) settings.emplace_back("match", arguments.match);
@@ -108,8 +113,9 @@ bool arguments_fit(const TransferArguments& arguments) {
   if (!arguments.match.empty()) inputs.push_back(arguments.match);
   if (!paths_fit(inputs, {})) return false;
   if (!arguments.match.empty() && !paths_fit({arguments.match}, arguments.output)) return false;
-  if (!arguments.match.empty() && arguments.no_positions) {
-    complain("--no-positions is about matching, but --match gives the match; leave one of them out");
+  if (!arguments.match.empty() && (arguments.no_positions || arguments.orientation != "auto")) {
+    complain(fmt::format("{} is about matching, but --match gives the match; leave one of them out",
+                         arguments.no_positions ? "--no-positions" : "--orientation"));
     return false;
   }
   if (arguments.json && arguments.output == "-") {
@@ -139,6 +145,7 @@ Expected<Match> given_match(const TransferArguments& arguments, const InputPair&
 Match found_match(const TransferArguments& arguments, const InputPair& inputs, Progress& progress) {
   MatchOptions options;
   options.positions = !arguments.no_positions;
+  options.orientation = kOrientations.at(arguments.orientation);
   if (progress.visible()) {
     options.progress = [&progress](std::size_t matched, std::size_t most) {
       progress.update(matched, most);
@@ -271,6 +278,11 @@ void add_transfer_command(CLI::App& program, Action& chosen) {
                    "Leave out regions of which a smaller share of the extraordinary vertices agrees, 0 to 1")
       ->check(CLI::Range(0.0, 1.0).description(""))
       ->type_name("X")
+      ->capture_default_str();
+  verb->add_option("--orientation", arguments->orientation,
+                   "preserving, reversing (B is a mirror image of A), or auto: whichever fits")
+      ->check(one_of(kOrientations))
+      ->type_name("NAME")
       ->capture_default_str();
   verb->add_flag("--no-positions", arguments->no_positions, "Match by connectivity alone");
   verb->add_option("--threads", arguments->threads,

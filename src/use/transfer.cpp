@@ -157,8 +157,9 @@ class Transfer {
     result_.face_records = std::move(records);
     // Lines stand before the records of the face below them: they belong to the object that ends there.
     for (CarriedRecord& line : result_.carried) {
-      const auto below = std::find_if(result_.face_records.begin(), result_.face_records.end(),
-                                      [&](const FaceRecord& r) { return r.first_face >= line.before_face; });
+      const auto below =
+          std::lower_bound(result_.face_records.begin(), result_.face_records.end(), line.before_face,
+                           [](const FaceRecord& record, std::uint32_t face) { return record.first_face < face; });
       line.before_record = static_cast<std::uint32_t>(below - result_.face_records.begin());
     }
     if (list_like_ && result_.texture_coordinates) {
