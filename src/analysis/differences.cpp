@@ -1,6 +1,7 @@
 #include "differences.hpp"
 
 #include <algorithm>
+#include <compare>
 #include <map>
 #include <utility>
 
@@ -104,8 +105,8 @@ std::vector<const CanonicalForm::Cluster*> without_equal(const CanonicalForm& fo
   std::vector<const CanonicalForm::Cluster*> result;
   std::size_t there = 0;
   for (const CanonicalForm::Cluster& cluster : form.clusters) {
-    while (there < other.clusters.size() && compare(other, other.clusters[there], form, cluster) < 0) ++there;
-    if (there < other.clusters.size() && compare(other, other.clusters[there], form, cluster) == 0) {
+    while (there < other.clusters.size() && std::is_lt(compare(other, other.clusters[there], form, cluster))) ++there;
+    if (there < other.clusters.size() && std::is_eq(compare(other, other.clusters[there], form, cluster))) {
       ++there;
     } else {
       result.push_back(&cluster);

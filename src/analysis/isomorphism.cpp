@@ -3,6 +3,7 @@
 #include <quadmatch/analysis/isomorphism.hpp>
 
 #include <algorithm>
+#include <compare>
 #include <limits>
 #include <utility>
 
@@ -39,7 +40,7 @@ std::vector<std::uint32_t> ways_of_clusters(const CanonicalForm& form) {
   std::vector<std::uint32_t> ways;
   for (std::size_t first = 0, last = 0; first < form.clusters.size(); first = last) {
     const CanonicalForm::Cluster& cluster = form.clusters[first];
-    while (last < form.clusters.size() && compare(form, cluster, form, form.clusters[last]) == 0) ++last;
+    while (last < form.clusters.size() && std::is_eq(compare(form, cluster, form, form.clusters[last]))) ++last;
     GroupOrder order = cluster.symmetries;
     order.multiply(last - first);
     ways.insert(ways.end(), last - first, static_cast<std::uint32_t>(std::min(order.value().value_or(kMost), kMost)));

@@ -91,21 +91,21 @@ std::strong_ordering compare(const CanonicalForm& one, const Cluster& cluster, c
 CanonicalForm canonical_form(const Mesh& mesh) {
   CanonicalForm form = FormMaker(mesh).make();
   std::stable_sort(form.clusters.begin(), form.clusters.end(),
-                   [&form](const Cluster& a, const Cluster& b) { return compare(form, a, form, b) < 0; });
+                   [&form](const Cluster& a, const Cluster& b) { return std::is_lt(compare(form, a, form, b)); });
   return form;
 }
 
 bool is_same(const CanonicalForm& one, const CanonicalForm& other) {
   return one.unused_vertices == other.unused_vertices &&
          std::equal(one.clusters.begin(), one.clusters.end(), other.clusters.begin(), other.clusters.end(),
-                    [&](const Cluster& a, const Cluster& b) { return compare(one, a, other, b) == 0; });
+                    [&](const Cluster& a, const Cluster& b) { return std::is_eq(compare(one, a, other, b)); });
 }
 
 GroupOrder symmetries_of(const CanonicalForm& form) {
   GroupOrder order;
   for (std::size_t first = 0, last = 0; first < form.clusters.size(); first = last) {
     const Cluster& cluster = form.clusters[first];
-    while (last < form.clusters.size() && compare(form, cluster, form, form.clusters[last]) == 0) ++last;
+    while (last < form.clusters.size() && std::is_eq(compare(form, cluster, form, form.clusters[last]))) ++last;
     order.multiply_by_factorial(last - first);
     order.multiply(cluster.symmetries, last - first);
   }
