@@ -3,9 +3,10 @@
 TRIED = {
     "edited body:":
         "*Edited pairs.* The bars are ratios to the renumbered copy, which takes half the time it may (an eighth of "
-        "bliss). Tried: ghosts that give up where they cost more than can be gained, costs and target places kept, "
-        "seams carried on only from what has changed, no second walk of what is whole. What is left is spread over a dozen stages that each look at every "
-        "face once; a list of the faces near a rim, shared by all stages, would be next.",
+        "bliss). Tried: a list of the faces near a rim, shared by all stages and kept up to date, so that none sweeps the "
+        "whole mesh; lengths measured only where they are asked for; evidence counted at extraordinary vertices only; ghosts "
+        "that give up where they cost more than can be gained; costs and target places kept. What is left is mostly the "
+        "fire itself, and after heavy edits minimum cuts.",
     "regions, plain: precision of unloop":
         "*Removed rows.* Which of two rows was removed is a guess where edge lengths do not tell; what lacks precision "
         "are faces of the removed row, matched in place of their neighbours. Tried: lengths, and calling ambiguous what "
