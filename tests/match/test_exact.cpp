@@ -254,5 +254,19 @@ TEST_CASE("a search that the caller stops tells what it has, and that it is not 
   CHECK(unknown.optimality.decision == Decision::Unknown);
 }
 
+TEST_CASE("a torus full of labels that do not fit is searched to the limit of nodes, and not for ever") {
+  // Walking all labels, far more pairs are seen here than fit.
+  const PolygonSoup torus = shapes::torus(16, 12);
+  shapes::Random random(1);
+  PolygonSoup edited = torus;
+  for (const char* word : {"collapse:1", "delete:4", "extrude:4", "renumber"}) {
+    edited = shapes::edit_at_random(edited, *shapes::parse_random_edit(word), random)->soup;
+  }
+  const LargestRegion stopped = judged(test::build(torus), test::build(edited),
+                                       {.orientation = OrientationChoice::Preserving, .node_limit = 20'000});
+  CHECK(stopped.optimality.nodes >= 20'000);
+  CHECK(size_of(stopped) >= 170);
+}
+
 }  // namespace
 }  // namespace quadmatch

@@ -13,7 +13,7 @@ constexpr std::size_t kPairsPerFace = 10;
 
 Sheets::Sheets(const Partial& partial)
     : most_pairs_(kPairsPerFace * std::max(partial.mesh(kSource).face_count(), partial.mesh(kTarget).face_count())),
-      slots_(std::bit_ceil(2 * most_pairs_ + 2)),
+      slots_(std::bit_ceil(4 * most_pairs_ + 2)),
       reached_{PerFace<std::uint32_t>(partial.mesh(kSource).face_count(), 0),
                PerFace<std::uint32_t>(partial.mesh(kTarget).face_count(), 0)} {}
 
@@ -26,6 +26,7 @@ bool Sheets::note(const Pair& pair) {
     if (slots_[place].pair == pair) return false;
   }
   slots_[place] = {stamp_, pair};
+  ++noted_;
   return true;
 }
 
@@ -39,6 +40,7 @@ bool Sheets::visit(const Partial& partial, const Pair& pair) {
   if (partial.mesh(kTarget).size(g) != size) return true;
   const std::uint32_t back = (size - source.corner(pair.source)) % size;
   const Pair named{source.first(f), partial.turned(kTarget, pair.target, back)};
+  if (2 * noted_ >= slots_.size()) return false;  // pairs that do not fit take slots as well
   if (!note(named) || !partial.fits(named)) return true;
   reached_[kSource][f] = reached_[kTarget][g] = stamp_;
   queue_.push_back(named);
@@ -47,6 +49,7 @@ bool Sheets::visit(const Partial& partial, const Pair& pair) {
 
 bool Sheets::walk(const Partial& partial, const Rim& rim) {
   ++stamp_;
+  noted_ = 0;
   queue_.clear();
   for (const Pair& inside : rim) {
     if (!visit(partial, beyond(partial, inside))) return false;

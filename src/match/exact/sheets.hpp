@@ -32,7 +32,8 @@ class Sheets {
     std::uint32_t stamp = 0;
     Pair pair;
   };
-  std::vector<Slot> slots_;  // open addressing; asked only whether a pair was seen
+  std::vector<Slot> slots_;  // open addressing, half empty at least; asked only whether a pair was seen
+  std::size_t noted_ = 0;    // pairs in it
   std::vector<Pair> queue_;
   std::array<PerFace<std::uint32_t>, 2> reached_;
 };
