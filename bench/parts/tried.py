@@ -1,6 +1,10 @@
 """What was tried where a bar is missed: one paragraph for the bars whose names begin so."""
 
 TRIED = {
+    "bear, regions: growth":
+        "*Growth of the cost of a quad.* The small mesh lies in the processor's cache, and what made it faster did little for "
+        "the large one, which waits for memory. Tried: prefetching while equal parts are laid. The ratio differs from run to "
+        "run where the machine is shared.",
     "edited body:":
         "*Edited pairs.* The bars are ratios to the renumbered copy, which takes half the time it may (an eighth of "
         "bliss). Tried: a list of the faces near a rim, shared by all stages and kept up to date, so that none sweeps the "
