@@ -8,14 +8,11 @@ are measured on our own bear and, where the collection of real meshes stands bes
 parts need that collection and its tools. Parts that are not run keep their last raw figures: `--only ''` writes the page
 and the plots anew and measures nothing. `--quick --docs build/quick` tries parts on little.
 """
-import argparse
-import os
-import pathlib
 import sys
 
 from parts import (ablation, edited, invariance, memory, multi, pairs, plots, posed, quality, regions, skeleton, speed,
                    transfer, unrelated)
-from parts.common import ROOT, Options, bar_table
+from parts.common import ROOT, bar_table, parse
 from parts.tried import tried
 
 # In the order of the page.
@@ -40,25 +37,8 @@ def write_page(options):
     (options.docs / "results.md").write_text("\n".join(page).rstrip() + "\n", encoding="utf-8")
 
 
-def parse(arguments):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--only", default=",".join(PARTS))
-    parser.add_argument("--meshes", type=pathlib.Path, default=ROOT.parent / "shared" / "meshes")
-    parser.add_argument("--tools", type=pathlib.Path, default=ROOT.parent / "shared" / "tools")
-    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release")
-    parser.add_argument("--docs", type=pathlib.Path, default=ROOT / "docs")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="pairs at a time where no time is measured")
-    parser.add_argument("--quick", action="store_true", help="two meshes, one seed")
-    parsed = vars(parser.parse_args(arguments))
-    chosen = [name for name in parsed.pop("only").split(",") if name]
-    for name in chosen:
-        if name not in PARTS:
-            parser.error(f"no such part: {name}; there are {', '.join(PARTS)}")
-    return chosen, Options(**parsed)
-
-
 def main(arguments):
-    chosen, options = parse(arguments)
+    chosen, options = parse(arguments, __doc__, PARTS, ROOT / "docs")
     sys.path.insert(0, str(options.tools))
     for name in chosen:
         if name not in WITHOUT_COLLECTION and not options.collection:

@@ -8,32 +8,13 @@ python3-matplotlib. Where the collection of real meshes stands beside the projec
 figures are kept in docs/paper/results/; `--only ''` writes the pages anew from them and measures nothing. `--quick --docs
 build/quick` tries parts on little.
 """
-import argparse
-import os
 import pathlib
 import sys
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from paper import PARTS
-from parts.common import ROOT, Options, bar_table, conditions, keep, kept, table
-
-
-def parse(arguments):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--only", default=",".join(PARTS))
-    parser.add_argument("--meshes", type=pathlib.Path, default=ROOT.parent / "shared" / "meshes")
-    parser.add_argument("--tools", type=pathlib.Path, default=ROOT.parent / "shared" / "tools")
-    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release")
-    parser.add_argument("--docs", type=pathlib.Path, default=ROOT / "docs" / "paper")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="pairs at a time")
-    parser.add_argument("--quick", action="store_true", help="few meshes, few seeds")
-    parsed = vars(parser.parse_args(arguments))
-    chosen = [name for name in parsed.pop("only").split(",") if name]
-    for name in chosen:
-        if name not in PARTS:
-            parser.error(f"no such part: {name}; there are {', '.join(PARTS)}")
-    return chosen, Options(**parsed)
+from parts.common import ROOT, bar_table, conditions, keep, kept, parse, table
 
 
 def measure(options, name):
@@ -72,7 +53,7 @@ def write_index(options):
 
 
 def main(arguments):
-    chosen, options = parse(arguments)
+    chosen, options = parse(arguments, __doc__, PARTS, ROOT / "docs" / "paper")
     if not options.program.exists():
         raise SystemExit(f"{options.program} is missing: cmake --preset release && cmake --build --preset release")
     sys.path.insert(0, str(options.tools))

@@ -1,4 +1,5 @@
 """What all parts share: running programs, raw figures, tables, bars."""
+import argparse
 import dataclasses
 import json
 import os
@@ -25,6 +26,24 @@ class Options:
     @property
     def collection(self):
         return self.meshes.is_dir() and self.tools.is_dir()
+
+
+def parse(arguments, usage, parts, docs):
+    """Which of the parts are asked for, and the options that all programs here take. Pages go to `docs` unless told."""
+    parser = argparse.ArgumentParser(description=usage, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--only", default=",".join(parts))
+    parser.add_argument("--meshes", type=pathlib.Path, default=ROOT.parent / "shared" / "meshes")
+    parser.add_argument("--tools", type=pathlib.Path, default=ROOT.parent / "shared" / "tools")
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release")
+    parser.add_argument("--docs", type=pathlib.Path, default=docs)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="pairs at a time where no time is measured")
+    parser.add_argument("--quick", action="store_true", help="few meshes, few seeds")
+    parsed = vars(parser.parse_args(arguments))
+    chosen = [name for name in parsed.pop("only").split(",") if name]
+    for name in chosen:
+        if name not in parts:
+            parser.error(f"no such part: {name}; there are {', '.join(parts)}")
+    return chosen, Options(**parsed)
 
 
 def run(command, statuses=(0,)):
