@@ -92,6 +92,7 @@ TransferOptions options_of(const TransferArguments& arguments) {
   options.order = arguments.order;
   options.allow_ambiguous = arguments.allow_ambiguous;
   options.least_confidence = arguments.least_confidence;
+  options.positions = !arguments.no_positions;
   return options;
 }
 
@@ -284,7 +285,7 @@ void add_transfer_command(CLI::App& program, Action& chosen) {
       ->check(one_of(kOrientations))
       ->type_name("NAME")
       ->capture_default_str();
-  verb->add_flag("--no-positions", arguments->no_positions, "Match by connectivity alone");
+  verb->add_flag("--no-positions", arguments->no_positions, "By connectivity alone: positions decide nothing");
   verb->add_option("--threads", arguments->threads,
                    "Read the two meshes at the same time if 2 or more; 0: as many as there are processors")
       ->type_name("N")

@@ -1,25 +1,60 @@
 #include "correspondence.hpp"
 
-#include <optional>
+#include <algorithm>
+#include <vector>
+
+#include "in_place.hpp"
 
 namespace quadmatch::use {
 namespace {
 
-std::optional<LeftOutRegion::Reason> reason_to_leave_out(const Region& region, const TransferOptions& options) {
-  if (region.ambiguous && !options.allow_ambiguous) return LeftOutRegion::Reason::Ambiguous;
-  if (region.evidence.confidence() < options.least_confidence) return LeftOutRegion::Reason::LowConfidence;
-  return std::nullopt;
-}
+/// Which pairs are carried, and which are not and why.
+class Choice {
+ public:
+  Choice(const Mesh& source, const Mesh& target, const TransferOptions& options, TransferReport& report)
+      : in_place_(source, target), options_(options), report_(report) {}
 
-/// The pairs of one region, which comes after others.
-void lay(const Mesh& source, const Mesh& target, const Region& region, const PerVertex<VertexId>& image_of,
-         Correspondence& from) {
-  for (const FacePair& pair : region.faces) {
+  /// The pairs of a region that are carried; the others are entered in the report.
+  std::vector<FacePair> carried(const Match& match, std::size_t r) {
+    const Region& region = match.regions[r];
+    if (region.evidence.confidence() < options_.least_confidence) {
+      leave_out(LeftOutRegion::Reason::LowConfidence, region, r, region.faces);
+      return {};
+    }
+    if (!region.ambiguous || options_.allow_ambiguous) return region.faces;
+    // A match can leave a choice that positions do not: it was made without them, or does not ask them for single rows.
+    const auto certain = [&](const FacePair& pair) {
+      return options_.positions && in_place_.holds(pair, region.orientation);
+    };
+    std::vector<FacePair> faces = region.faces;
+    const auto doubtful = std::stable_partition(faces.begin(), faces.end(), certain);
+    leave_out(LeftOutRegion::Reason::Ambiguous, region, r, {doubtful, faces.end()});
+    faces.erase(doubtful, faces.end());
+    return faces;
+  }
+
+ private:
+  void leave_out(LeftOutRegion::Reason reason, const Region& region, std::size_t r,
+                 const std::vector<FacePair>& faces) {
+    if (faces.empty()) return;
+    report_.left_out.push_back({reason, r, static_cast<std::uint32_t>(faces.size()), faces.front().source,
+                                faces.front().target, region.ways, region.evidence.confidence()});
+  }
+
+  InPlace in_place_;
+  const TransferOptions& options_;
+  TransferReport& report_;
+};
+
+/// Pairs of one region, which comes after others.
+void lay(const Mesh& source, const Mesh& target, const std::vector<FacePair>& faces, Orientation orientation,
+         const PerVertex<VertexId>& image_of, Correspondence& from) {
+  for (const FacePair& pair : faces) {
     from.faces[pair.target] = pair.source;
     const std::uint32_t size = source.size(pair.source);
     for (std::uint32_t i = 0; i < size; ++i) {
       const HalfedgeId there(source.first(pair.source).value + i);
-      const HalfedgeId here(target.first(pair.target).value + image_corner(region.orientation, pair.rotation, i, size));
+      const HalfedgeId here(target.first(pair.target).value + image_corner(orientation, pair.rotation, i, size));
       from.corners[here] = there;
       const VertexId vertex = source.origin(there);
       const VertexId image = target.origin(here);
@@ -51,16 +86,12 @@ Correspondence correspond(const Mesh& source, const Mesh& target, const Match& m
                       PerVertex<VertexId>(target.vertex_count()), PerVertex<VertexId>(target.vertex_count())};
   PerVertex<VertexId> image_of(source.vertex_count());
   for (const VertexPair& pair : match.vertices) image_of[pair.source] = pair.target;
+  Choice choice(source, target, options, report);
   for (std::size_t r = 0; r < match.regions.size(); ++r) {
-    const Region& region = match.regions[r];
-    if (const auto reason = reason_to_leave_out(region, options)) {
-      report.left_out.push_back({*reason, r, static_cast<std::uint32_t>(region.faces.size()),
-                                 region.faces.front().source, region.faces.front().target, region.ways,
-                                 region.evidence.confidence()});
-      continue;
-    }
-    lay(source, target, region, image_of, from);
-    report.reversing = report.reversing || region.orientation == Orientation::Reversing;
+    const Orientation orientation = match.regions[r].orientation;
+    const std::vector<FacePair> faces = choice.carried(match, r);
+    lay(source, target, faces, orientation, image_of, from);
+    report.reversing = report.reversing || (orientation == Orientation::Reversing && !faces.empty());
   }
   count(target, from, report);
   return from;

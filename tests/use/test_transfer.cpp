@@ -45,6 +45,12 @@ MeshFile file_of(const shapes::Model& model) {
 
 MeshFile bare(const PolygonSoup& soup) { return {.mesh = build(soup)}; }
 
+/// The same, moved up.
+PolygonSoup lifted(PolygonSoup soup) {
+  for (Point& position : soup.positions) position[2] += 1;
+  return soup;
+}
+
 Match found(const MeshFile& source, const MeshFile& target, const MatchOptions& options = {}) {
   return match(source.mesh, target.mesh, options).match;
 }
@@ -618,7 +624,7 @@ TEST_CASE("keep: the pool holds what is used of the source's, then of the target
 }
 
 TEST_CASE("ambiguous regions and those of low confidence are left out by name, unless they are allowed") {
-  const MeshFile source = flat(2, 1), target = bare(shapes::grid(2, 1));
+  const MeshFile source = flat(2, 1), target = bare(lifted(shapes::grid(2, 1)));
   Match match;
   match.regions.push_back({.faces = {{FaceId(1), FaceId(1), 0}}, .evidence = {1, 4, 4}});
   match.regions.push_back({.faces = {{FaceId(0), FaceId(0), 0}}, .ways = 2, .ambiguous = true});
@@ -640,6 +646,33 @@ TEST_CASE("ambiguous regions and those of low confidence are left out by name, u
   const Transferred bold = transferred(source, target, match, {.allow_ambiguous = true});
   CHECK(bold.report.left_out.empty());
   CHECK(bold.report.complete());
+}
+
+TEST_CASE("an ambiguous region of which nothing moved is certain, unless something else lies in its place") {
+  const auto carried = [](const MeshFile& source, const MeshFile& target, std::uint32_t rotation, bool positions) {
+    Match match;
+    match.regions.push_back({.faces = {{FaceId(0), FaceId(0), rotation}}, .ways = 4, .ambiguous = true});
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      match.vertices.push_back({source.mesh.corners()[k], target.mesh.corners()[(k + rotation) % 4]});
+    }
+    std::sort(match.vertices.begin(), match.vertices.end(),
+              [](const VertexPair& a, const VertexPair& b) { return a.source < b.source; });
+    return transferred(source, target, match, {.positions = positions}).report.matched_faces == 1;
+  };
+  const MeshFile source = flat(2, 1), target = bare(shapes::grid(2, 1));
+  CHECK(carried(source, target, 0, true));
+  CHECK_FALSE(carried(source, target, 0, false));
+  CHECK_FALSE(carried(source, target, 1, true));
+  CHECK_FALSE(carried(source, bare(lifted(shapes::grid(2, 1))), 0, true));
+  PolygonSoup without = shapes::grid(2, 1);
+  without.positions.clear();
+  CHECK_FALSE(carried(source, bare(std::move(without)), 0, true));
+
+  const PolygonSoup two = shapes::disjoint_union({shapes::grid(1, 1), shapes::grid(1, 1)});
+  REQUIRE(two.positions[0] == two.positions[4]);
+  MeshFile stacked = bare(two);
+  stacked.texture_coordinates = IndexedAttribute{2, {0, 0}, std::vector<std::uint32_t>(8, 0)};
+  CHECK_FALSE(carried(stacked, bare(two), 0, true));
 }
 
 TEST_CASE("a match that is not sound for these meshes is refused, with its first fault") {

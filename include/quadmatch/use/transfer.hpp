@@ -42,6 +42,8 @@ struct TransferOptions {
   bool order = false;
   /// Carry regions that connectivity and positions cannot place for certain, too.
   bool allow_ambiguous = false;
+  /// Let positions decide: faces of an ambiguous region that did not move are certain.
+  bool positions = true;
   /// Leave out regions of which a smaller share of the extraordinary vertices agrees, 0 ... 1.
   double least_confidence = 0;
 };
@@ -59,7 +61,7 @@ struct TransferredAttribute {
   std::vector<std::string> remarks = {};
 };
 
-/// A region from which nothing was carried.
+/// A region from which nothing was carried, or where it is ambiguous only what did not move.
 struct LeftOutRegion {
   enum class Reason { Ambiguous, LowConfidence };
   Reason reason = Reason::Ambiguous;

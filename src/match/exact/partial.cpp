@@ -34,16 +34,6 @@ Partial::Partial(const Mesh& source, const Mesh& target) : meshes_{&source, &tar
   level_of_ = PerFace<std::uint32_t>(source.face_count(), kNoLevel);
 }
 
-HalfedgeId Partial::turned(Side side, HalfedgeId h, std::uint32_t corner) const {
-  const Mesh& mesh = *meshes_[side];
-  if (mesh.all_quads()) return HalfedgeId((h.value & ~3U) | ((h.value + corner) & 3U));
-  const FaceId face = mesh.face(h);
-  const std::uint32_t first = mesh.first(face).value, size = mesh.size(face);
-  std::uint32_t place = h.value - first + corner;
-  if (place >= size) place -= size;
-  return HalfedgeId(first + place);
-}
-
 HalfedgeId Partial::image(Side side, HalfedgeId h) const {
   const Mesh& mesh = *meshes_[side];
   return turned(other(side), image_of_first_[side][mesh.face(h)], mesh.corner(h));

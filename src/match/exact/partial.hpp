@@ -56,7 +56,14 @@ class Partial {
   /// The half-edge of the other side that h lies on. @pre its face is in
   [[nodiscard]] HalfedgeId image(Side side, HalfedgeId h) const;
   /// The half-edge `corner` steps on from h in the same face of a side.
-  [[nodiscard]] HalfedgeId turned(Side side, HalfedgeId h, std::uint32_t corner) const;
+  [[nodiscard]] HalfedgeId turned(Side side, HalfedgeId h, std::uint32_t corner) const {
+    const Mesh& mesh = *meshes_[side];
+    if (mesh.all_quads()) return HalfedgeId((h.value & ~3U) | ((h.value + corner) & 3U));
+    const FaceId face = mesh.face(h);
+    const std::uint32_t first = mesh.first(face).value, size = mesh.size(face);
+    const std::uint32_t place = h.value - first + corner;
+    return HalfedgeId(first + (place >= size ? place - size : place));
+  }
 
   /// Pairs in the region, in the order of commitment.
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
