@@ -137,16 +137,31 @@ bool Development::develop(const Rim& rim) {
     }
   }
   for (; next_ < queue_.size(); ++next_) {
-    HalfedgeId here = half(queue_[next_], side_), there = half(queue_[next_], other(side_));
-    const FaceId face = mesh.face(here);
-    for (std::uint32_t corner = mesh.size(face); corner > 0; --corner) {
-      const HalfedgeId across = mesh.twin(here);
-      if (across.valid() && !reach(pair_of(side_, across, mesh_there.twin(there)), face)) return false;
-      here = mesh.next(here);
-      there = mesh_there.next(there);
-    }
+    if (!reach_around(queue_[next_])) return false;
   }
   return true;
+}
+
+/// Reach what lies beside a labelled face. False on a clash, unless clashes are to be passed over.
+bool Development::reach_around(Pair pair, bool pass_over) {
+  const Mesh& mesh = partial_.mesh(side_);
+  const FaceId face = mesh.face(half(pair, side_));
+  for (std::uint32_t corner = mesh.size(face); corner > 0; --corner) {
+    const Pair across = beyond(partial_, pair);
+    if (half(across, side_).valid() && !reach(across, face) && !pass_over) return false;
+    pair = {partial_.mesh(kSource).next(pair.source), partial_.mesh(kTarget).next(pair.target)};
+  }
+  return true;
+}
+
+void Development::spread(Side side, const Rim& rim) {
+  begin_packing(side);
+  level_ = 0;
+  for (const Pair& inside : rim) {
+    const Pair pair = beyond(partial_, inside);
+    if (half(pair, side_).valid()) reach(pair, FaceId());
+  }
+  for (std::size_t k = 0; k < queue_.size(); ++k) reach_around(queue_[k], true);
 }
 
 /// Take the labels of packed faces away, and of all whose path to the rim went through them; those may have another.

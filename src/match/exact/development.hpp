@@ -35,6 +35,10 @@ class Development {
   /// @pre count_reach was called last for this side.
   [[nodiscard]] bool is_reached(FaceId face) const { return reach_stamp_[face] == reach_; }
 
+  /// Label as many faces of a side as agree with the partial region and with each other: those that clash are passed
+  /// over. `labels` has them.
+  void spread(Side side, const Rim& rim);
+
   /// Begin a packing of a side.
   void begin_packing(Side side);
   /// Pack conflict sets, and what the levels of the side demand, up to `enough` losses; the sets packed before stay.
@@ -48,7 +52,8 @@ class Development {
     return is_packed(face) || (level != Partial::kNoLevel && unpaid_beyond_sets(level) > 0);
   }
 
-  /// The labels of the last packing's first development, from the rim outwards. @pre it was free of conflict
+  /// The labels of the last spread, or of the last packing's first development, if it was free of conflict; from the
+  /// rim outwards.
   [[nodiscard]] const std::vector<Pair>& labels() const { return queue_; }
 
  private:
@@ -65,6 +70,7 @@ class Development {
 
   bool develop(const Rim& rim);
   bool reach(const Pair& pair, FaceId parent);
+  bool reach_around(Pair pair, bool pass_over = false);
   [[nodiscard]] FaceId opponent(const Pair& pair) const;
   [[nodiscard]] FaceId corner_opponent(HalfedgeId here, HalfedgeId there, std::uint32_t size) const;
   [[nodiscard]] FaceId edge_opponent(HalfedgeId here, HalfedgeId there, std::uint32_t size) const;

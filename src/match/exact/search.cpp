@@ -53,6 +53,7 @@ bool Search::examine(Rim& rim, Pair& branch) {
     if (find_unopposed(rim, nearby)) return false;
     std::array<std::uint32_t, 2> reach{};
     if (bound_by_reach(rim, reach) == Bound::Closed || !demands_can_be_met()) return false;
+    if (slits_.allowed() && take_in_costly(rim, reach)) continue;
 
     const Side levelled = partial_.level_side();
     development_.begin_packing(levelled);
@@ -117,6 +118,13 @@ Search::Bound Search::bound_by_reach(const Rim& rim, std::array<std::uint32_t, 2
 bool Search::demands_can_be_met() const {
   const std::vector<Level>& levels = partial_.levels();
   return std::all_of(levels.begin(), levels.end(), [](const Level& level) { return level.unpaid() <= level.open; });
+}
+
+/// Leaving these out would lose more than a better region can.
+bool Search::take_in_costly(Rim& rim, const std::array<std::uint32_t, 2>& reach) {
+  const std::uint32_t most = partial_.size() + std::min(reach[kSource], reach[kTarget]);
+  development_.spread(partial_.level_side(), rim);
+  return slits_.take_in(development_.labels(), rim, most - incumbent_.to_beat - 1);
 }
 
 /// From the innermost level outwards: may what it loses stay within its budget?

@@ -7,6 +7,7 @@
 #include "incumbent.hpp"
 #include "partial.hpp"
 #include "sheets.hpp"
+#include "slits.hpp"
 #include "witnesses.hpp"
 
 namespace quadmatch::exact {
@@ -20,7 +21,9 @@ class Search {
         budget_(budget),
         development_(partial),
         sheets_(partial),
-        witnesses_(partial) {}
+        faces_at_(partial),
+        witnesses_(partial, faces_at_),
+        slits_(partial, faces_at_) {}
 
   /// Search below what is committed now, and leave it as it was.
   /// @param rim    where the partial region can grow.
@@ -49,6 +52,7 @@ class Search {
   void offer_development();
   Bound bound_by_reach(const Rim& rim, std::array<std::uint32_t, 2>& reach);
   [[nodiscard]] bool demands_can_be_met() const;
+  bool take_in_costly(Rim& rim, const std::array<std::uint32_t, 2>& reach);
   SideBound bound_levels(Rim& rim);
   SideBound bound_level(std::uint32_t level, std::uint32_t out, Rim& rim);
   SideBound bound_side(Side side, Rim& rim, std::uint32_t reach);
@@ -60,7 +64,9 @@ class Search {
   Budget& budget_;
   Development development_;
   Sheets sheets_;
+  FacesAt faces_at_;
   Witnesses witnesses_;
+  Slits slits_;
   std::vector<Pair> left_out_;  // by choice, above the node that is examined
 };
 

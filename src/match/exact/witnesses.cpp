@@ -1,32 +1,20 @@
 #include "witnesses.hpp"
 
+#include <algorithm>
+
 namespace quadmatch::exact {
 
-Witnesses::Witnesses(const Partial& partial)
-    : partial_(partial), seams_(!partial.mesh(kSource).seams().empty() || !partial.mesh(kTarget).seams().empty()) {
-  for (const Side side : {kSource, kTarget}) {
-    const Mesh& mesh = partial.mesh(side);
-    std::vector<std::uint32_t>& first = first_at_[side];
-    first.assign(mesh.vertex_count() + 1, 0);
-    for (const VertexId v : mesh.corners()) ++first[v.value + 1];
-    for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) first[v + 1] += first[v];
-    faces_at_[side].resize(mesh.halfedge_count());
-    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-    for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
-      faces_at_[side][next[mesh.origin(HalfedgeId(h)).value]++] = mesh.face(HalfedgeId(h));
-    }
-  }
-}
+Witnesses::Witnesses(const Partial& partial, const FacesAt& faces_at)
+    : partial_(partial),
+      faces_at_(faces_at),
+      seams_(!partial.mesh(kSource).seams().empty() || !partial.mesh(kTarget).seams().empty()) {}
 
 /// Is a face open at this corner, beside its own?
 bool Witnesses::may_be_touched(Side side, HalfedgeId corner) const {
   const Mesh& mesh = partial_.mesh(side);
-  const std::uint32_t v = mesh.origin(corner).value;
-  for (std::uint32_t k = first_at_[side][v]; k < first_at_[side][v + 1]; ++k) {
-    const FaceId face = faces_at_[side][k];
-    if (face != mesh.face(corner) && partial_.is_open(side, face)) return true;
-  }
-  return false;
+  const auto around = faces_at_.of(side, mesh.origin(corner));
+  return std::any_of(around.begin(), around.end(),
+                     [&](FaceId face) { return face != mesh.face(corner) && partial_.is_open(side, face); });
 }
 
 Witnesses::Answer Witnesses::against(const Pair& pair) const {

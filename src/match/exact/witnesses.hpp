@@ -1,10 +1,7 @@
 #pragma once
 /// Only regions that cannot be extended are of interest: what is left out of one must clash with something in it.
 
-#include <array>
-#include <cstdint>
-#include <vector>
-
+#include "faces_at.hpp"
 #include "partial.hpp"
 
 namespace quadmatch::exact {
@@ -14,7 +11,7 @@ namespace quadmatch::exact {
 /// the vertex there another partner; at a vertex that has its partner already there can be none.
 class Witnesses {
  public:
-  explicit Witnesses(const Partial& partial);
+  Witnesses(const Partial& partial, const FacesAt& faces_at);
 
   enum class Answer { Found, Possible, Impossible };
   /// Is there a witness against a pair that is left out, or may there still be one? Also of a pair that is open.
@@ -27,9 +24,8 @@ class Witnesses {
   [[nodiscard]] bool may_be_touched(Side side, HalfedgeId corner) const;
 
   const Partial& partial_;
+  const FacesAt& faces_at_;
   bool seams_;  // where edges are cut, faces may clash without a vertex that tells
-  std::array<std::vector<std::uint32_t>, 2> first_at_;  // the faces at each vertex
-  std::array<std::vector<FaceId>, 2> faces_at_;
 };
 
 }  // namespace quadmatch::exact
