@@ -17,5 +17,6 @@
 #include <quadmatch/mesh/check.hpp>
 #include <quadmatch/mesh/components.hpp>
 #include <quadmatch/mesh/mesh.hpp>
+#include <quadmatch/use/diff.hpp>
 #include <quadmatch/use/transfer.hpp>
 #include <quadmatch/verify/verify.hpp>
