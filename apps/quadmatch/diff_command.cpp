@@ -1,146 +1,123 @@
-// quadmatch diff A B --isomorphic: are two whole meshes the same up to numbering, in how many ways, or what is
-// different?
-
-#include <map>
+// quadmatch diff A B: what was changed, part by part; or, with --isomorphic, whether both are the same as wholes.
 
 #include <fmt/format.h>
 
-#include <quadmatch/analysis/isomorphism.hpp>
-#include <quadmatch/io/match_file.hpp>
-#include <quadmatch/verify/verify.hpp>
-
 #include "command.hpp"
-#include "console.hpp"
-#include "inputs.hpp"
-#include "json.hpp"
-#include "text.hpp"
+#include "diff_arguments.hpp"
 
 namespace quadmatch::cli {
 namespace {
 
 constexpr const char* kFooter =
-    R"(Two meshes are isomorphic when one is the other in another order: a one-to-one map of faces,
-each with a rotation, such that corners share a vertex in one exactly if they do in the other.
-Positions are not looked at. A map keeps the orientation of all faces or turns all over
-(a mirror image); a pair of shoes is not a pair of left shoes.
+    R"(Both meshes are matched, and what has no partner is named by what a modeller did, from the
+largest change on. Numbers of faces and vertices do not matter, only what they are part of.
 
-If there is a map, it is told how many there are, and -o writes one of them as a match file.
-If there is none, it is told what is different. For parts that are the same, see quadmatch match.
+  new, removed component    faces that hang together with nothing else
+  addition, deletion        faces at a boundary, or a hole where some were
+  inserted, removed loop    rows of quads
+  extrusion                 a wall around a patch (and undone: taken out)
+  collapse, opening         faces closed up, or opened between others
+  refinement, coarsening    the same area in more faces, or in fewer
+  bridge                    a tube between faces that were apart (and undone)
+  rip, weld                 faces parted along edges, or joined
+  re-attachment             parts that are the same, joined at another place
+  re-connection             other edges inside the same rim
+
+Vertices that moved are a difference too, unless --ignore-positions is given.
+
+With --isomorphic it is asked, exactly, whether one mesh is the other in another order: a map of
+all faces, in one orientation. It is told how many maps there are, and -o writes one; or else
+what is different. Positions are not looked at.
+
+With git, for all .obj files (the first line goes to .gitattributes):
+  *.obj diff=quadmatch
+  git config diff.quadmatch.command "quadmatch diff --git"
+  git config diff.quadmatch.textconv "quadmatch diff --textconv"
+git diff, git show --ext-diff and git log -p --ext-diff then name changes; textconv is for
+whatever compares lines, such as git log -p. Either ends with 0, or git would stop there.
 
 Examples:
-  quadmatch diff before.obj after.ply --isomorphic
+  quadmatch diff before.obj after.obj
+  quadmatch diff before.obj posed.obj --ignore-positions --quiet && echo same connectivity
+  quadmatch diff a.obj b.obj --json | jq '.changes[] | select(.kind == "deletion").source_faces'
   quadmatch diff left.obj right.obj --isomorphic --orientation reversing -o map.json
-  quadmatch diff a.obj b.obj --isomorphic --quiet && echo same
 
-Exit status: 0 the same, 1 different, 2 trouble.)";
+Exit status: 0 no differences, 1 differences, 2 trouble.)";
 
-const std::map<std::string, IsomorphismKind> kOrientations{{"auto", IsomorphismKind::Either},
-                                                           {"preserving", IsomorphismKind::Preserving},
-                                                           {"reversing", IsomorphismKind::Reversing}};
-
-struct DiffArguments {
-  std::string source, target;
-  std::string output;
-  std::string orientation = "auto";
-  bool isomorphic = false;
-  bool json = false;
-  bool quiet = false;
-};
-
-const char* name_of(Orientation orientation) {
-  return orientation == Orientation::Preserving ? "preserving" : "reversing";
-}
-
-/// "the only map", "one of 24 maps", "one of 24^10000 * 10000! maps, a number of 49,462 digits".
-std::string describe_ways(const GroupOrder& ways) {
-  if (const auto number = ways.value()) {
-    return *number == 1 ? "the only map" : fmt::format("one of {} maps", grouped(*number));
+/// The word that is given and has no place beside `mode`, or nothing.
+const char* misplaced(const DiffArguments& arguments) {
+  if (arguments.isomorphic) {
+    return !arguments.match.file.empty()    ? "--match"
+           : arguments.match.no_positions   ? "--no-positions"
+           : arguments.least_confidence > 0 ? "--min-confidence"
+           : arguments.stat                 ? "--stat"
+                                            : nullptr;
   }
-  const auto digits = static_cast<std::uint64_t>(ways.log10()) + 1;
-  return fmt::format("one of {} maps, a number of {} digits", ways.describe(), grouped(digits));
-}
-
-std::string as_text(const DiffArguments& arguments, const IsomorphismResult& result) {
-  if (!result.isomorphism) {
-    std::string text = "different\n";
-    for (const std::string& difference : result.differences) text += fmt::format("  {}\n", difference);
-    return text;
-  }
-  const auto& [match, orientation, ways] = *result.isomorphism;
-  Lines lines;
-  lines.add("map", fmt::format("{}, {}, in {}", counted(match.matched_faces(), "face"),
-                               counted(match.vertices.size(), "vertex", "vertices"),
-                               counted(match.regions.size(), "component")));
-  lines.add("orientation", name_of(orientation));
-  lines.add("ways", describe_ways(ways));
-  if (!arguments.output.empty()) lines.add("written", arguments.output);
-  return "the same\n" + lines.render(2);
-}
-
-std::string as_json(const DiffArguments& arguments, const IsomorphismResult& result) {
-  Json json{{"isomorphic", result.isomorphism.has_value()}};
-  if (result.isomorphism) {
-    const auto& [match, orientation, ways] = *result.isomorphism;
-    const auto number = ways.value();
-    json["orientation"] = name_of(orientation);
-    json["ways"] = {
-        {"number", number ? Json(*number) : Json(nullptr)}, {"product", ways.describe()}, {"log10", ways.log10()}};
-    json["faces"] = match.matched_faces();
-    json["vertices"] = match.vertices.size();
-    json["components"] = match.regions.size();
-  }
-  json["differences"] = result.differences;
-  json["output"] = result.isomorphism && !arguments.output.empty() ? Json(arguments.output) : Json(nullptr);
-  return json_text(json);
-}
-
-/// No map leaves this program that the definition of a match does not allow.
-bool write_map(const DiffArguments& arguments, const MeshFile& source, const MeshFile& target, const Match& match) {
-  const Verdict verdict = verify(source.mesh, target.mesh, match, 1);
-  if (!verdict.sound()) {
-    complain(fmt::format("internal error: the map found is not sound ({}); nothing was written, please report it",
-                         verdict.faults.front().message));
-    return false;
-  }
-  const auto side = [](const MeshFile& file) {
-    return MatchSide{file.path, file.mesh.vertex_count(), file.mesh.face_count()};
-  };
-  const MatchFile file{side(source),
-                       side(target),
-                       match,
-                       {{"program", "quadmatch " QUADMATCH_VERSION},
-                        {"algorithm", "isomorphism"},
-                        {"orientation", arguments.orientation}}};
-  const Expected<void> written = write_match(arguments.output, file);
-  if (!written) complain(written.error());
-  return written.has_value();
+  return arguments.output.empty() ? nullptr : "-o";
 }
 
 bool usage_fits(const DiffArguments& arguments) {
-  if (!arguments.isomorphic) {
-    complain("diff compares whole meshes: say --isomorphic; for parts that are the same, see quadmatch match --help");
+  if (arguments.source.empty() || arguments.target.empty()) {
+    complain(fmt::format("{} is required; see quadmatch diff --help", arguments.source.empty() ? "A" : "B"));
     return false;
   }
-  if (arguments.output == "-" && !arguments.quiet) {
-    complain("-o - would mix figures and map on standard output; write the map to a file, or say --quiet");
+  if (const char* const word = misplaced(arguments)) {
+    complain(
+        arguments.isomorphic
+            ? fmt::format("{} is about comparing part by part, --isomorphic about wholes; leave one of them out", word)
+            : fmt::format("{} writes the map of --isomorphic; for a match of parts see quadmatch match", word));
     return false;
   }
-  return paths_fit({arguments.source, arguments.target}, arguments.output);
+  if (arguments.json && arguments.stat) {
+    complain("--json and --stat would mix two forms on standard output; leave one of them out");
+    return false;
+  }
+  std::vector<std::string> inputs{arguments.source, arguments.target};
+  if (!arguments.match.file.empty()) inputs.push_back(arguments.match.file);
+  return paths_fit(inputs, arguments.output) && wishes_fit(arguments.match);
 }
 
 int run_diff(const DiffArguments& arguments) {
+  if (!arguments.git.empty()) return run_git_diff(arguments);
+  if (!arguments.textconv.empty()) return run_textconv(arguments);
   if (!usage_fits(arguments)) return kTrouble;
-  const std::optional<InputPair> inputs = read_inputs(arguments.source, arguments.target, !arguments.quiet, 0);
-  if (!inputs) return kTrouble;
-  const IsomorphismResult result =
-      find_isomorphism(inputs->source.mesh, inputs->target.mesh, kOrientations.at(arguments.orientation));
-  if (result.isomorphism && !arguments.output.empty() &&
-      !write_map(arguments, inputs->source, inputs->target, result.isomorphism->match)) {
-    return kTrouble;
-  }
-  if (arguments.json && !arguments.quiet && !print(as_json(arguments, result))) return kTrouble;
-  if (!arguments.json && !arguments.quiet && !print(as_text(arguments, result))) return kTrouble;
-  return result.isomorphism ? kSame : kDifferent;
+  return arguments.isomorphic ? run_isomorphic_diff(arguments) : run_parts_diff(arguments);
+}
+
+void add_comparison_options(CLI::App& verb, DiffArguments& arguments) {
+  verb.add_flag("--ignore-positions", arguments.ignore_positions, "Say nothing of where vertices are");
+  verb.add_option("--tolerance", arguments.tolerance,
+                  "How far a vertex may be from where it was and not count as moved, as a share of the size of A")
+      ->check(CLI::Range(0.0, 1.0).description(""))
+      ->type_name("X")
+      ->capture_default_str();
+  verb.add_option("--match", arguments.match.file, "Match file from A to B; without it they are matched here")
+      ->type_name("FILE");
+  verb.add_option("--min-confidence", arguments.least_confidence,
+                  "Take regions of which a smaller share of the extraordinary vertices agrees for unmatched, 0 to 1")
+      ->check(CLI::Range(0.0, 1.0).description(""))
+      ->type_name("X")
+      ->capture_default_str();
+  verb.add_option("--orientation", arguments.match.orientation,
+                  "preserving, reversing (B is a mirror image of A), or auto: whichever fits")
+      ->check(CLI::IsMember(orientation_choices()).description(""))
+      ->type_name("NAME")
+      ->capture_default_str();
+  verb.add_flag("--no-positions", arguments.match.no_positions, "Match by connectivity alone");
+  verb.add_option("--threads", arguments.threads,
+                  "Read the two meshes at the same time if 2 or more; 0: as many as there are processors")
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+void add_form_options(CLI::App& verb, DiffArguments& arguments) {
+  verb.add_flag("--stat", arguments.stat, "Print one line of name=number");
+  verb.add_flag("--json", arguments.json, "Print all of it as JSON, with the elements of each change");
+  verb.add_flag("--quiet", arguments.quiet, "Print nothing, only set the exit status");
+  verb.add_option("--git", arguments.git, "For git to call as an external diff, see below; the last option")
+      ->expected(1, 9)
+      ->type_name("PATH OLD ...");
+  verb.add_option("--textconv", arguments.textconv, "Print one mesh as lines that git can compare")->type_name("FILE");
 }
 
 }  // namespace
@@ -148,24 +125,17 @@ int run_diff(const DiffArguments& arguments) {
 void add_diff_command(CLI::App& program, Action& chosen) {
   DiffArguments* arguments = nullptr;
   CLI::App* const verb =
-      add_verb(program, "diff",
-               "Tell whether two whole meshes are the same up to numbering, and if not, in what they "
-               "are different",
+      add_verb(program, "diff", "Tell what was changed between two meshes, or whether they are the same as wholes",
                arguments, run_diff, chosen);
   verb->footer(kFooter);
-  verb->add_option("A", arguments->source, "Source mesh; - reads standard input")->required()->type_name("FILE");
-  verb->add_option("B", arguments->target, "Target mesh")->required()->type_name("FILE");
-  verb->add_flag("--isomorphic", arguments->isomorphic,
-                 "Ask for a map of the whole, exactly; for now the one comparison there is, so it must be given");
-  verb->add_option("--orientation", arguments->orientation,
-                   "preserving, reversing (a mirror image), or auto: preserving, else reversing, one for the whole")
-      ->check(CLI::IsMember(kOrientations).description(""))
-      ->type_name("NAME")
-      ->capture_default_str();
-  verb->add_option("-o,--output", arguments->output, "Match file to write (JSON), if the meshes are the same")
+  verb->add_option("A", arguments->source, "Source mesh; - reads standard input")->type_name("FILE");
+  verb->add_option("B", arguments->target, "Target mesh")->type_name("FILE");
+  add_comparison_options(*verb, *arguments);
+  verb->add_flag("--isomorphic", arguments->isomorphic, "Ask for a map of the whole, exactly");
+  verb->add_option("-o,--output", arguments->output,
+                   "With --isomorphic: match file to write (JSON), if the meshes are the same")
       ->type_name("FILE");
-  verb->add_flag("--json", arguments->json, "Print the figures as JSON");
-  verb->add_flag("--quiet", arguments->quiet, "Print nothing, only set the exit status");
+  add_form_options(*verb, *arguments);
 }
 
 }  // namespace quadmatch::cli

@@ -4,16 +4,14 @@
 
 #include <fmt/format.h>
 
-#include <quadmatch/io/match_file.hpp>
 #include <quadmatch/io/read_mesh.hpp>
 #include <quadmatch/io/write_mesh.hpp>
-#include <quadmatch/match/matcher.hpp>
 #include <quadmatch/use/transfer.hpp>
 
 #include "command.hpp"
 #include "console.hpp"
-#include "dirt.hpp"
 #include "inputs.hpp"
+#include "pair_match.hpp"
 #include "text.hpp"
 #include "transfer_report.hpp"
 
@@ -56,9 +54,6 @@ const std::map<std::string, bool Carry::*> kKinds{
     {"uv", &Carry::texture_coordinates}, {"colours", &Carry::colours},     {"properties", &Carry::properties},
     {"groups", &Carry::groups},          {"materials", &Carry::materials}, {"smoothing", &Carry::smoothing},
     {"normals", &Carry::normals},        {"positions", &Carry::positions}, {"none", nullptr}};
-const std::map<std::string, OrientationChoice> kOrientations{{"auto", OrientationChoice::Auto},
-                                                             {"preserving", OrientationChoice::Preserving},
-                                                             {"reversing", OrientationChoice::Reversing}};
 const std::map<std::string, Fill> kFills{{"keep", Fill::Keep}, {"none", Fill::None}, {"smooth", Fill::Smooth}};
 
 template <class Choice>
@@ -69,14 +64,12 @@ CLI::Validator one_of(const std::map<std::string, Choice>& choices) {
 struct TransferArguments {
   std::string source, target;
   std::string output;
-  std::string match;
+  MatchWishes match;
   std::vector<std::string> only;
-  std::string orientation = "auto";
   std::string fill = "keep";
   bool order = false;
   bool allow_ambiguous = false;
   double least_confidence = 0;
-  bool no_positions = false;
   std::uint32_t threads = 0;
   bool json = false;
   bool quiet = false;
@@ -92,7 +85,7 @@ TransferOptions options_of(const TransferArguments& arguments) {
   options.order = arguments.order;
   options.allow_ambiguous = arguments.allow_ambiguous;
   options.least_confidence = arguments.least_confidence;
-  options.positions = !arguments.no_positions;
+  options.positions = !arguments.match.no_positions;
   return options;
 }
 
@@ -102,23 +95,19 @@ std::vector<std::pair<std::string, std::string>> settings_of(const TransferArgum
       {"only",
        arguments.only.empty() ? "uv colours properties groups materials smoothing" : joined(arguments.only, " ")},
       {"fill", arguments.fill},
-      {"orientation", arguments.orientation},
+      {"orientation", arguments.match.orientation},
       {"order", arguments.order ? "true" : "false"},
-      {"positions", arguments.no_positions ? "false" : "true"}};
-  if (!arguments.match.empty()) settings.emplace_back("match", arguments.match);
+      {"positions", arguments.match.no_positions ? "false" : "true"}};
+  if (!arguments.match.file.empty()) settings.emplace_back("match", arguments.match.file);
   return settings;
 }
 
 bool arguments_fit(const TransferArguments& arguments) {
   std::vector<std::string> inputs{arguments.source, arguments.target};
-  if (!arguments.match.empty()) inputs.push_back(arguments.match);
+  if (!arguments.match.file.empty()) inputs.push_back(arguments.match.file);
   if (!paths_fit(inputs, {})) return false;
-  if (!arguments.match.empty() && !paths_fit({arguments.match}, arguments.output)) return false;
-  if (!arguments.match.empty() && (arguments.no_positions || arguments.orientation != "auto")) {
-    complain(fmt::format("{} is about matching, but --match gives the match; leave one of them out",
-                         arguments.no_positions ? "--no-positions" : "--orientation"));
-    return false;
-  }
+  if (!arguments.match.file.empty() && !paths_fit({arguments.match.file}, arguments.output)) return false;
+  if (!wishes_fit(arguments.match)) return false;
   if (arguments.json && arguments.output == "-") {
     complain("--json and -o - would mix figures and the mesh on standard output; write the mesh to a file");
     return false;
@@ -129,36 +118,6 @@ bool arguments_fit(const TransferArguments& arguments) {
     return false;
   }
   return true;
-}
-
-MatchSide side_of(const MeshFile& file) { return {file.path, file.mesh.vertex_count(), file.mesh.face_count()}; }
-
-/// The match of a file, if it is of these meshes.
-Expected<Match> given_match(const TransferArguments& arguments, const InputPair& inputs) {
-  Expected<MatchFile> file = read_match(arguments.match);
-  if (!file) return Unexpected(file.error());
-  if (Expected<void> fitting = fits(*file, side_of(inputs.source), side_of(inputs.target)); !fitting) {
-    return Unexpected(fitting.error());
-  }
-  return std::move(file->match);
-}
-
-Match found_match(const TransferArguments& arguments, const InputPair& inputs, Progress& progress) {
-  MatchOptions options;
-  options.positions = !arguments.no_positions;
-  options.orientation = kOrientations.at(arguments.orientation);
-  if (progress.visible()) {
-    options.progress = [&progress](std::size_t matched, std::size_t most) {
-      progress.update(matched, most);
-      return true;
-    };
-  }
-  return match(inputs.source.mesh, inputs.target.mesh, options).match;
-}
-
-void warn_of_dirt(const MeshFile& file) {
-  const std::string dirt = describe_dirt(file.mesh, "matching");
-  if (!dirt.empty()) warn(fmt::format("{}: {}", display_name(file.path), dirt));
 }
 
 /// There is no sense in a copy of B that nothing was carried to.
@@ -210,19 +169,14 @@ int run_transfer(const TransferArguments& arguments) {
   }
 
   progress.stage("matching");
-  const std::string match_name = arguments.match.empty() ? "" : display_name(arguments.match);
-  Expected<Match> match = arguments.match.empty() ? Expected<Match>(found_match(arguments, *inputs, progress))
-                                                  : given_match(arguments, *inputs);
-  if (!match) {
-    if (match.error().path.empty()) match.error().path = match_name;
-    return complain(match.error());
-  }
+  const std::optional<Match> match = find_or_read_match(arguments.match, inputs->source, inputs->target, progress);
+  if (!match) return kTrouble;
   progress.stage("carrying");
   summary.options = options_of(arguments);
   Expected<Transferred> result = transfer(inputs->source, inputs->target, *match, summary.options);
   if (!result) {
     if (result.error().path == "-") result.error().path = display_name("-");
-    if (result.error().path.empty()) result.error().path = match_name;
+    if (result.error().path.empty()) result.error().path = display_name(arguments.match.file);
     return complain(result.error());
   }
   if (result->report.matched_faces == 0) return complain_of_nothing(arguments, result->report);
@@ -261,7 +215,7 @@ void add_transfer_command(CLI::App& program, Action& chosen) {
                    "Mesh to write, in the format of its ending; - writes OBJ to standard output")
       ->required()
       ->type_name("FILE");
-  verb->add_option("--match", arguments->match, "Match file from A to B; without it they are matched here")
+  verb->add_option("--match", arguments->match.file, "Match file from A to B; without it they are matched here")
       ->type_name("FILE");
   verb->add_option("--only", arguments->only,
                    "What to carry, of uv, colours, properties, groups, materials, smoothing, normals, positions, none")
@@ -280,12 +234,12 @@ void add_transfer_command(CLI::App& program, Action& chosen) {
       ->check(CLI::Range(0.0, 1.0).description(""))
       ->type_name("X")
       ->capture_default_str();
-  verb->add_option("--orientation", arguments->orientation,
+  verb->add_option("--orientation", arguments->match.orientation,
                    "preserving, reversing (B is a mirror image of A), or auto: whichever fits")
-      ->check(one_of(kOrientations))
+      ->check(one_of(orientation_choices()))
       ->type_name("NAME")
       ->capture_default_str();
-  verb->add_flag("--no-positions", arguments->no_positions, "By connectivity alone: positions decide nothing");
+  verb->add_flag("--no-positions", arguments->match.no_positions, "By connectivity alone: positions decide nothing");
   verb->add_option("--threads", arguments->threads,
                    "Read the two meshes at the same time if 2 or more; 0: as many as there are processors")
       ->type_name("N")
