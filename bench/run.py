@@ -10,7 +10,7 @@ and the plots anew and measures nothing. `--quick --docs build/quick` tries part
 """
 import sys
 
-from parts import (ablation, edited, invariance, memory, multi, pairs, plots, posed, quality, regions, skeleton, speed,
+from parts import (ablation, diff, edited, invariance, memory, multi, pairs, plots, posed, quality, regions, skeleton, speed,
                    transfer, unrelated)
 from parts.common import ROOT, bar_table, parse
 from parts.tried import tried
@@ -18,7 +18,7 @@ from parts.tried import tried
 # In the order of the page.
 PARTS = {"speed": speed, "edited": edited, "memory": memory, "skeleton": skeleton, "quality": quality, "regions": regions,
          "ablation": ablation, "pairs": pairs, "posed": posed, "multi": multi, "unrelated": unrelated, "transfer": transfer,
-         "invariance": invariance}
+         "diff": diff, "invariance": invariance}
 WITHOUT_COLLECTION = ("speed", "memory", "skeleton")
 
 
