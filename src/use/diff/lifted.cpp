@@ -22,7 +22,16 @@ HalfedgeId through_new_quads(const Side& side, HalfedgeId from) {
   return {};
 }
 
-/// Lays the faces before on the faces after, from a ring inside the rim on.
+/// The side that is reached by going straight on from a side through so many quads; not valid where there are fewer.
+HalfedgeId behind_quads(const Mesh& mesh, HalfedgeId from, std::size_t count) {
+  for (std::size_t k = 0; k < count && from.valid(); ++k) {
+    const HalfedgeId entry = mesh.twin(from);
+    from = entry.valid() && mesh.size(mesh.face(entry)) == 4 ? mesh.next(mesh.next(entry)) : HalfedgeId();
+  }
+  return from.valid() ? mesh.twin(from) : from;
+}
+
+/// Lays the faces before on the faces after, from some rings inside the rim on.
 class Inset {
  public:
   explicit Inset(const Scene& scene)
@@ -53,7 +62,6 @@ class Inset {
   [[nodiscard]] bool covers_all() const {
     return used_.size() == free_before_.size() && used_.size() <= free_after_.size();
   }
-  [[nodiscard]] bool is_wall(FaceId g) const { return free_after_.contains(g) && !used_.contains(g); }
 
  private:
   void lay_corners(HalfedgeId h, HalfedgeId image, std::vector<std::pair<HalfedgeId, HalfedgeId>>& to_lay) {
@@ -87,14 +95,15 @@ std::size_t count_walled(const Scene& scene) {
 }
 
 bool is_lifted_patch(const Scene& scene) {
-  if (scene.faces_before.empty() || scene.faces_after.size() <= scene.faces_before.size()) return false;
+  if (scene.faces_before.empty() || scene.rim.empty() || scene.faces_after.size() <= scene.faces_before.size())
+    return false;
   const Mesh &before = *scene.before->mesh, &after = *scene.after->mesh;
+  const std::size_t depth = (scene.faces_after.size() - scene.faces_before.size()) / scene.rim.size();
+  if (depth == 0) return false;
   Inset inset(scene);
   for (const RimSide& side : scene.rim) {
     if (side.in_before != Beyond::Unmatched || side.in_after != Beyond::Unmatched) continue;
-    const HalfedgeId wall = after.twin(side.after);
-    if (after.size(after.face(wall)) != 4) return false;
-    const HalfedgeId behind = after.twin(after.next(after.next(wall)));
+    const HalfedgeId behind = behind_quads(after, side.after, depth);
     if (!behind.valid() || !inset.lay(before.twin(side.before), behind)) return false;
   }
   return inset.covers_all();

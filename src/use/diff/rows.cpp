@@ -47,13 +47,14 @@ class RowCount {
       for (std::uint32_t k = 0; k < 2; ++k) add_candidate(HalfedgeId(mesh_.first(f).value + k));
     }
     accept_best();
-    if (accepted_.empty() || uncovered_.size() > came_.size() / kOneStrayOf ||
-        std::any_of(accepted_.begin(), accepted_.end(), [&](const Chord& chord) { return turns_corners(chord); })) {
+    note_rungs();
+    if (accepted_ == 0 || uncovered_.size() > came_.size() / kOneStrayOf ||
+        std::any_of(candidates_.begin(), candidates_.end(),
+                    [&](const Candidate& c) { return c.is_sure() && turns_corners(c.chord); })) {
       return 0;
     }
     const double more = static_cast<double>(came_.size()) - static_cast<double>(scene_.faces_before.size());
-    return std::max(1U, static_cast<std::uint32_t>(
-                            std::lround(more * static_cast<double>(accepted_.size()) / static_cast<double>(length_))));
+    return std::max(1U, static_cast<std::uint32_t>(std::lround(more * accepted_ / static_cast<double>(length_))));
   }
 
  private:
@@ -120,6 +121,10 @@ class RowCount {
   struct Candidate {
     Chord chord;
     std::size_t own = 0;
+    bool accepted = false;
+
+    /// A row that came, not one beside it.
+    [[nodiscard]] bool is_sure() const { return accepted || own == chord.entries.size(); }
   };
 
   void add_candidate(HalfedgeId start) {
@@ -143,7 +148,7 @@ class RowCount {
       const auto left = static_cast<std::size_t>(std::count_if(entries.begin(), entries.end(), [&](HalfedgeId entry) {
         return uncovered_.contains(mesh_.face(entry).value);
       }));
-      if (kOneOwnOf * left >= entries.size()) accept(std::move(candidate.chord));
+      if (kOneOwnOf * left >= entries.size()) accept(candidate);
     }
   }
 
@@ -155,18 +160,27 @@ class RowCount {
     return static_cast<std::size_t>(without) <= chord.entries.size() / kOneStrayOf;
   }
 
-  void accept(Chord chord) {
-    length_ += chord.entries.size();
-    for (const HalfedgeId entry : chord.entries) {
-      rungs_.insert(mesh_.edge(entry).value);
-      rungs_.insert(mesh_.edge(opposite(entry)).value);
+  void accept(Candidate& candidate) {
+    candidate.accepted = true;
+    ++accepted_;
+    length_ += candidate.chord.entries.size();
+    for (const HalfedgeId entry : candidate.chord.entries) {
       uncovered_.erase(mesh_.face(entry).value);
       // Where none of the halves was matched, the other one came as well.
       for (const Flank flank : {Flank::Left, Flank::Right}) {
         if (const std::optional<FaceId> beside = newcomer_beside(entry, flank)) uncovered_.erase(beside->value);
       }
     }
-    accepted_.push_back(std::move(chord));
+  }
+
+  void note_rungs() {
+    for (const Candidate& candidate : candidates_) {
+      if (!candidate.is_sure()) continue;
+      for (const HalfedgeId entry : candidate.chord.entries) {
+        rungs_.insert(mesh_.edge(entry).value);
+        rungs_.insert(mesh_.edge(opposite(entry)).value);
+      }
+    }
   }
 
   [[nodiscard]] std::int64_t excess(HalfedgeId corner) const {
@@ -184,10 +198,8 @@ class RowCount {
     return excess(mesh_.next(rung));
   }
 
-  /// Does the vertex that a rung leaves lack what the one at its other end has too much?
-  [[nodiscard]] bool is_corner(HalfedgeId rung) const {
-    return excess(rung) < 0 && excess_across(rung) == -excess(rung);
-  }
+  /// Does the vertex that a rung leaves lack an edge, and has the one at its other end one too much?
+  [[nodiscard]] bool is_corner(HalfedgeId rung) const { return excess(rung) < 0 && excess_across(rung) > 0; }
 
   /// A wall around a patch is a row too, but turns where the patch has corners: the vertex above lacks a quad, and the
   /// one below has one too much. All round a patch it turns one way; a row beside irregular lines may have such places
@@ -207,7 +219,7 @@ class RowCount {
   const Mesh& mesh_;
   std::unordered_set<std::uint32_t> came_, uncovered_, walked_, rungs_;
   std::vector<Candidate> candidates_;
-  std::vector<Chord> accepted_;
+  std::uint32_t accepted_ = 0;
   std::size_t length_ = 0;
 };
 
