@@ -128,6 +128,7 @@ void add_diff_command(CLI::App& program, Action& chosen) {
       add_verb(program, "diff", "Tell what was changed between two meshes, or whether they are the same as wholes",
                arguments, run_diff, chosen);
   verb->footer(kFooter);
+  // Not to be required of the parser: it would keep words back for them from those that git gives.
   verb->add_option("A", arguments->source, "Source mesh; - reads standard input")->type_name("FILE");
   verb->add_option("B", arguments->target, "Target mesh")->type_name("FILE");
   add_comparison_options(*verb, *arguments);

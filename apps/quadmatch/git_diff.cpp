@@ -3,6 +3,8 @@
 // are not shown.
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -17,6 +19,8 @@ namespace quadmatch::cli {
 namespace {
 
 constexpr const char* kNoFile = "/dev/null";
+/// A mean that is smaller than this share of the extent is what rounding left of 0.
+constexpr double kNoise = 1e-9;
 
 /// PATH OLD OLD-HEX OLD-MODE NEW NEW-HEX NEW-MODE, and of a renamed file its new path and how like both are.
 struct GitArguments {
@@ -54,9 +58,9 @@ bool print_lines(const DiffArguments& arguments, const GitArguments& git, const 
 std::vector<std::string> component_lines(const CheckReport& report) {
   std::map<std::string, std::size_t> counts;
   for (const ComponentReport& component : report.components) {
-    ++counts[fmt::format("component of {:7} faces, {} vertices, {} boundary loops, {} extraordinary, Euler {}",
-                         component.faces, component.vertices, component.boundary_loops, component.extraordinary,
-                         component.euler)];
+    ++counts[fmt::format("component of {:7} faces, {} vertices, {}, {} extraordinary, Euler {}", component.faces,
+                         component.vertices, counted(component.boundary_loops, "boundary loop"),
+                         component.extraordinary, component.euler)];
   }
   std::vector<std::string> lines;
   for (const auto& [line, count] : counts)
@@ -74,8 +78,10 @@ std::string position_lines(const Mesh& mesh) {
     std::sort(values.begin(), values.end());
     double sum = 0;
     for (const double value : values) sum += value;
+    const double mean = sum / static_cast<double>(values.size());
+    const bool is_noise = std::abs(mean) < kNoise * (values.back() - values.front());
     text += fmt::format("{} from {:.6g} to {:.6g}, mean {:.9g}\n", "xyz"[axis], values.front(), values.back(),
-                        sum / static_cast<double>(values.size()));
+                        is_noise ? 0.0 : mean);
   }
   return text;
 }

@@ -45,6 +45,10 @@ std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positi
   return two_columns(left, right);
 }
 
+std::string HelpFormatter::make_option_usage(const CLI::Option* option) const {
+  return option->get_name(true) + (option->get_expected_max() > 1 ? "..." : "");
+}
+
 std::string HelpFormatter::make_subcommand(const CLI::App* verb) const {
   return two_columns(verb->get_name(), verb->get_description());
 }

@@ -103,6 +103,13 @@ Outcome Folder::run(const std::vector<std::string>& arguments, std::string_view 
   return run_program(QUADMATCH_PROGRAM, folder_, arguments, input);
 }
 
+Outcome Folder::run_git(const std::vector<std::string>& arguments) const {
+  ::setenv("GIT_CONFIG_GLOBAL", "/dev/null", 1);
+  ::setenv("GIT_CONFIG_NOSYSTEM", "1", 1);
+  ::setenv("GIT_PAGER", "cat", 1);
+  return run_program(QUADMATCH_GIT, folder_, arguments, {});
+}
+
 Outcome Folder::edit_mesh(const std::vector<std::string>& arguments) const {
   return run_program(QUADMATCH_EDIT_MESH, folder_, arguments, {});
 }

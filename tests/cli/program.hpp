@@ -34,6 +34,8 @@ class Folder {
 
   /// Run quadmatch here.
   Outcome run(const std::vector<std::string>& arguments, std::string_view input = {}) const;
+  /// Run git here, with no settings but its own.
+  Outcome run_git(const std::vector<std::string>& arguments) const;
   /// Run edit_mesh here.
   Outcome edit_mesh(const std::vector<std::string>& arguments) const;
   /// Run make_shape here.
