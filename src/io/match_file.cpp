@@ -182,7 +182,9 @@ std::string format_match(const MatchFile& file) {
     write_separator(text, i, "  ");
     text << '[' << file.match.vertices[i].source.value << ", " << file.match.vertices[i].target.value << ']';
   }
-  text << "]}\n";
+  text << ']';
+  for (const auto& [name, json] : file.further) text << ",\n " << json_text(name) << ": " << json;
+  text << "}\n";
   return std::move(text).take();
 }
 

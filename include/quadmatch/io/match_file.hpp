@@ -29,6 +29,8 @@ struct MatchFile {
   std::vector<std::pair<std::string, std::string>> settings = {};
   /// What an exact search proved; written as `statistics`, passed over when read.
   std::optional<Optimality> optimality = {};
+  /// Fields beside these, each a name and a JSON text: written at the end, passed over when read.
+  std::vector<std::pair<std::string, std::string>> further = {};
 };
 
 /// Read a match file; `-` reads standard input. Fields it does not know are passed over, in any order; `evidence`,
