@@ -12,6 +12,8 @@ import sys
 
 from parts import (ablation, diff, edited, invariance, memory, multi, pairs, plots, posed, quality, regions, skeleton, speed,
                    transfer, unrelated)
+from parts import (ablation, edited, invariance, memory, multi, pairs, plots, posed, quality, regions, skeleton, speed,
+                   symmetry, transfer, unrelated)
 from parts.common import ROOT, bar_table, parse
 from parts.tried import tried
 
@@ -19,6 +21,7 @@ from parts.tried import tried
 PARTS = {"speed": speed, "edited": edited, "memory": memory, "skeleton": skeleton, "quality": quality, "regions": regions,
          "ablation": ablation, "pairs": pairs, "posed": posed, "multi": multi, "unrelated": unrelated, "transfer": transfer,
          "diff": diff, "invariance": invariance}
+         "symmetry": symmetry, "invariance": invariance}
 WITHOUT_COLLECTION = ("speed", "memory", "skeleton")
 
 

@@ -61,6 +61,16 @@ void MirrorMap::grow(Fit fit, std::uint32_t most) {
   }
 }
 
+void MirrorMap::cover_rim() {
+  const std::size_t inside = laid_.size();
+  for (std::size_t k = 0; k < inside; ++k) {
+    for (const HalfedgeId h : mesh_.halfedges(mesh_.face(laid_[k].from))) {
+      const HalfedgeId beside = mesh_.twin(h), opposite = mesh_.twin(image_[h]);
+      if (beside.valid() && opposite.valid()) lay({beside, opposite}, Fit::Vertices);
+    }
+  }
+}
+
 void MirrorMap::clear() {
   for (const Germ& germ : laid_) {
     for (const FaceId face : {mesh_.face(germ.from), mesh_.face(germ.to)}) {

@@ -35,6 +35,8 @@ class MirrorMap {
   /// Go on beyond the sides of all that is laid, breadth first. O(faces laid).
   /// @param most  faces laid at most
   void grow(Fit fit, std::uint32_t most = 0xffffffff);
+  /// Lay the faces beside what is laid whose vertices fit though they do not look alike, and nothing beyond them.
+  void cover_rim();
   /// Nothing is laid. O(faces that were).
   void clear();
 

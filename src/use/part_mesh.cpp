@@ -1,8 +1,9 @@
 #include "part_mesh.hpp"
 
-#include <algorithm>
 #include <cassert>
 #include <utility>
+
+#include <quadmatch/mesh/per_element.hpp>
 
 namespace quadmatch::use {
 namespace {
@@ -12,14 +13,6 @@ Mesh built(PolygonSoup soup) {
   Expected<Mesh> mesh = Mesh::build(std::move(soup));
   assert(mesh.has_value());
   return *std::move(mesh);
-}
-
-std::vector<FaceId> faces_in(const Components& components, std::uint32_t component) {
-  std::vector<FaceId> faces;
-  for (std::uint32_t f = 0; f < components.of_face.size(); ++f) {
-    if (components.of_face[FaceId(f)] == component) faces.push_back(FaceId(f));
-  }
-  return faces;
 }
 
 Mesh mesh_of(const Mesh& whole, const std::vector<FaceId>& faces) {
@@ -61,13 +54,8 @@ Mesh moved(const Mesh& mesh, const MirrorPlane& plane) {
   return with_positions(mesh, std::move(positions));
 }
 
-PartMesh::PartMesh(const Mesh& whole, const Components& components, std::uint32_t component)
-    : whole_(whole), faces_(faces_in(components, component)), mesh_(mesh_of(whole, faces_)) {}
-
-HalfedgeId PartMesh::from_whole(HalfedgeId h) const {
-  const auto place = std::lower_bound(faces_.begin(), faces_.end(), whole_.face(h));
-  return HalfedgeId(mesh_.first(FaceId(static_cast<std::uint32_t>(place - faces_.begin()))).value + whole_.corner(h));
-}
+PartMesh::PartMesh(const Mesh& whole, std::vector<FaceId> faces)
+    : whole_(whole), faces_(std::move(faces)), mesh_(mesh_of(whole, faces_)) {}
 
 HalfedgeId PartMesh::to_whole(HalfedgeId h) const {
   return HalfedgeId(whole_.first(faces_[mesh_.face(h).value]).value + mesh_.corner(h));

@@ -1,9 +1,8 @@
 #pragma once
-/// Meshes made of a mesh: one component of it, or the same with other positions.
+/// Meshes made of a mesh: some of its faces, or the same with other positions.
 
 #include <vector>
 
-#include <quadmatch/mesh/components.hpp>
 #include <quadmatch/use/symmetry.hpp>
 
 namespace quadmatch::use {
@@ -15,14 +14,13 @@ namespace quadmatch::use {
 /// The same mesh with its positions mirrored in a plane, and its faces as they are. @pre it has positions
 [[nodiscard]] Mesh moved(const Mesh& mesh, const MirrorPlane& plane);
 
-/// One component as a mesh of its own.
+/// Some faces as a mesh of their own.
 class PartMesh {
  public:
-  PartMesh(const Mesh& whole, const Components& components, std::uint32_t component);
+  /// @param faces  ascending
+  PartMesh(const Mesh& whole, std::vector<FaceId> faces);
 
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
-  /// @pre  h is of the component
-  [[nodiscard]] HalfedgeId from_whole(HalfedgeId h) const;
   [[nodiscard]] HalfedgeId to_whole(HalfedgeId h) const;
 
  private:

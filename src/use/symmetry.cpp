@@ -23,6 +23,10 @@ namespace {
 
 /// Of the faces a match pairs in a component, how many must lie on each other both ways for it to be one mirror.
 constexpr double kOneMirror = 0.9;
+/// Places on the line of which growth is tried.
+constexpr std::size_t kMostGerms = 5;
+/// Fewer faces that were cut off could lie anywhere.
+constexpr std::size_t kLeastIsland = 4;
 
 /// What a match with the mirror image says of one component.
 struct Tally {
@@ -33,7 +37,10 @@ struct Tally {
   std::uint32_t taken = 0;        ///< partners of any face
   std::uint32_t ways = 1;
   bool has_line = false;
+  std::vector<Germ> germs = {};  ///< some on the line
 
+  /// Does it lie opposite itself, but not all of it?
+  [[nodiscard]] bool is_edited() const { return 2 * onto_itself >= matched && matched < faces && has_line; }
   /// Does it have to be asked for its mirrors?
   [[nodiscard]] bool is_in_doubt() const {
     if (matched == 0) return taken == 0;
@@ -50,21 +57,27 @@ class SymmetryFinder {
         edge_(options.positions ? mean_edge(mesh) : 0),
         codes_(vertex_codes(mesh)),
         components_(connected_components(mesh)),
+        settled_(components_.face_count.size(), false),
+        is_overruled_(mesh.face_count(), 0),
         map_(mesh, codes_) {}
 
   Symmetry run() {
     Symmetry symmetry;
-    const Match match = match_with_image(mesh_, {});
+    const Match match = match_with_image(mesh_, edge_ > 0 ? likely_plane(mesh_, edge_) : MirrorPlane());
     symmetry.complete = match.complete;
-    const std::vector<Tally> tallies = tallied(match);
+    const PerHalfedge<HalfedgeId> images = images_of(mesh_, match);
+    const std::vector<Tally> tallies = tallied(match, images);
     const std::uint32_t largest = largest_component();
     for (std::uint32_t c = 0; c < tallies.size() && symmetry.complete; ++c) {
-      if (tallies[c].is_in_doubt()) settle(c, c == largest, symmetry);
+      if (tallies[c].is_in_doubt()) {
+        settle(c, c == largest, symmetry);
+      } else if (tallies[c].is_edited()) {
+        overrule(tallies[c], images);
+      }
     }
-    lay_mutual(match);
-    lay_rest(match);
-    map_.grow(Fit::Looks);
-    if (symmetry.mirrors == 0 && components_.face_count.size() > 0) {
+    lay_believed(match, images);
+    if (symmetry.complete) lay_left_over();
+    if (symmetry.mirrors == 0 && !components_.face_count.empty()) {
       symmetry.mirrors = laid_in(largest) > 0 ? 1 : 0;
       symmetry.maybe_more = laid_in(largest) < components_.face_count[largest];
     }
@@ -75,17 +88,13 @@ class SymmetryFinder {
  private:
   /// The mesh on itself in a mirror: its faces turned over, and its positions mirrored too, so that a model at rest
   /// lies on its image by a motion.
-  [[nodiscard]] Match match_with_image(const Mesh& mesh, std::vector<UserAnchor> anchors) const {
+  [[nodiscard]] Match match_with_image(const Mesh& mesh, const MirrorPlane& plane) const {
     MatchOptions options;
     options.orientation = OrientationChoice::Reversing;
     options.positions = edge_ > 0;
-    options.anchors = std::move(anchors);
     options.progress = options_.progress;
-    if (edge_ <= 0) return match_regions_of(mesh, mesh, options);
-    return match_regions_of(mesh, moved(mesh, likely_plane(mesh, edge_)), options);
-  }
-  [[nodiscard]] static Match match_regions_of(const Mesh& source, const Mesh& target, const MatchOptions& options) {
-    return quadmatch::match(source, target, options).match;
+    return edge_ > 0 ? quadmatch::match(mesh, moved(mesh, plane), options).match
+                     : quadmatch::match(mesh, mesh, options).match;
   }
 
   [[nodiscard]] std::uint32_t largest_component() const {
@@ -93,9 +102,9 @@ class SymmetryFinder {
     return static_cast<std::uint32_t>(std::max_element(counts.begin(), counts.end()) - counts.begin());
   }
 
-  [[nodiscard]] std::vector<Tally> tallied(const Match& match) const {
+  [[nodiscard]] std::vector<Tally> tallied(const Match& match, const PerHalfedge<HalfedgeId>& images) const {
     std::vector<Tally> tallies(components_.face_count.size());
-    const PerHalfedge<HalfedgeId> images = images_of(mesh_, match);
+    for (std::size_t c = 0; c < tallies.size(); ++c) tallies[c].faces = components_.face_count[c];
     for (const Region& region : match.regions) {
       for (const FacePair& pair : region.faces) {
         Tally& tally = tallies[components_.of_face[pair.source]];
@@ -106,14 +115,20 @@ class SymmetryFinder {
         tally.onto_itself += components_.of_face[pair.target] == components_.of_face[pair.source];
         tally.mutual += mutual;
         tally.ways = std::max(tally.ways, region.ways);
-        if (!mutual || tally.has_line) continue;
-        tally.has_line = pair.source == pair.target;
-        for (const HalfedgeId h : mesh_.halfedges(pair.source)) {
-          tally.has_line = tally.has_line || (mesh_.twin(h).valid() && images[h] == mesh_.twin(h));
-        }
+        if (mutual && tally.germs.size() < kMostGerms) look_for_line(pair, images, tally);
       }
     }
     return tallies;
+  }
+
+  void look_for_line(const FacePair& pair, const PerHalfedge<HalfedgeId>& images, Tally& tally) const {
+    for (const HalfedgeId h : mesh_.halfedges(pair.source)) {
+      const bool is_along = mesh_.twin(h).valid() && images[h] == mesh_.twin(h);
+      if (!is_along && pair.source != pair.target) continue;
+      tally.has_line = true;
+      tally.germs.push_back({h, images[h]});
+      return;
+    }
   }
 
   /// Look through all mirrors of a component, and lay the best.
@@ -126,64 +141,123 @@ class SymmetryFinder {
       symmetry.mirrors = std::max(symmetry.mirrors, 1U);
       symmetry.maybe_more = found.maybe_more;
     }
-    const Mirror& best = found.mirrors.front();
-    if (best.whole) {
-      map_.lay(best.germ, Fit::Looks);
-      map_.grow(Fit::Looks);
-    } else {
-      settle_edited(component, best);
-    }
+    map_.lay(found.mirrors.front().germ, Fit::Looks);
+    map_.grow(Fit::Looks);
+    settled_[component] = true;
   }
 
-  /// An edited component: match it with its image once more, from the germ of the mirror on.
-  void settle_edited(std::uint32_t component, const Mirror& mirror) {
-    const PartMesh part(mesh_, components_, component);
-    const auto anchor = [&](HalfedgeId from, HalfedgeId to) {  // what the first leaves lies on what the second reaches
-      return UserAnchor{part.from_whole(from), part.from_whole(mesh_.next(to))};
+  /// A component with one mirror that was edited. What grows from its line, and sees that extraordinary vertices agree,
+  /// is believed before the match: a thumb is nearly its own mirror image, and in a pose its lengths may fit that
+  /// better.
+  void overrule(const Tally& tally, const PerHalfedge<HalfedgeId>& images) {
+    MirrorMap grown(mesh_, codes_);
+    Germ best;
+    std::uint32_t most = 0;
+    for (const Germ& germ : tally.germs) {
+      grown.clear();
+      if (!grown.lay(germ, Fit::Looks)) continue;
+      grown.grow(Fit::Looks);
+      if (grown.faces() <= most) continue;
+      most = grown.faces();
+      best = germ;
+    }
+    if (most == 0) return;
+    grown.clear();
+    grown.lay(best, Fit::Looks);
+    grown.grow(Fit::Looks);
+    const auto differs = [&](FaceId f) {
+      const HalfedgeId first = mesh_.first(f);
+      return grown.image(first).valid() && images[first].valid() && grown.image(first) != images[first];
     };
-    const Match match = match_with_image(
-        part.mesh(), {anchor(mirror.germ.from, mirror.germ.to), anchor(mirror.germ.to, mirror.germ.from)});
-    const PerHalfedge<HalfedgeId> images = images_of(part.mesh(), match);
-    std::uint32_t mutual = 0;
-    for (std::uint32_t f = 0; f < part.mesh().face_count(); ++f) {
-      const HalfedgeId first = part.mesh().first(FaceId(f));
-      mutual += images[first].valid() && images[images[first]] == first;
+    PerFace<std::uint8_t> seen(mesh_.face_count(), 0);
+    for (const Germ& germ : grown.laid()) {
+      for (const FaceId seed : {mesh_.face(germ.from), mesh_.face(germ.to)}) {
+        if (seen[seed] != 0 || !differs(seed)) continue;
+        std::vector<FaceId> area{seed};
+        seen[seed] = 1;
+        for (std::size_t here = 0; here < area.size(); ++here) {
+          for (const HalfedgeId h : mesh_.halfedges(area[here])) {
+            const HalfedgeId beside = mesh_.twin(h);
+            if (!beside.valid() || seen[mesh_.face(beside)] != 0 || !differs(mesh_.face(beside))) continue;
+            seen[mesh_.face(beside)] = 1;
+            area.push_back(mesh_.face(beside));
+          }
+        }
+        if (speaks_for(grown, images, area)) overruled_.insert(overruled_.end(), area.begin(), area.end());
+      }
     }
-    if (mutual < mirror.faces) {  // then growth by itself came farther
-      map_.lay(mirror.germ, Fit::Looks);
-      map_.grow(Fit::Looks);
+    for (const FaceId face : overruled_) is_overruled_[face] = 1;
+    for (const Germ& germ : grown.laid()) {
+      if (is_overruled_[mesh_.face(germ.from)] != 0 && is_overruled_[mesh_.face(germ.to)] != 0)
+        map_.lay(germ, Fit::Free);
     }
+    others_.insert(others_.end(), grown.laid().begin(), grown.laid().end());
+  }
+
+  /// Do more corners of an area agree at extraordinary vertices by what was grown, or as many, than by the match?
+  [[nodiscard]] bool speaks_for(const MirrorMap& grown, const PerHalfedge<HalfedgeId>& images,
+                                const std::vector<FaceId>& area) const {
+    std::uint32_t by_growth = 0, by_match = 0;
+    for (const FaceId face : area) {
+      for (const HalfedgeId h : mesh_.halfedges(face)) {
+        const VertexCode code = codes_[mesh_.fan(h)];
+        if (!code.extraordinary()) continue;
+        by_growth += codes_[mesh_.fan(mesh_.next(grown.image(h)))] == code;
+        by_match += codes_[mesh_.fan(mesh_.next(images[h]))] == code;
+      }
+    }
+    return by_growth > 0 && by_growth >= by_match;
+  }
+
+  [[nodiscard]] bool is_believed(const FacePair& pair) const {
+    return !settled_[components_.of_face[pair.source]] && is_overruled_[pair.source] == 0 &&
+           is_overruled_[pair.target] == 0;
+  }
+
+  /// What lies on each other both ways is certain; where the match says two things of a face, the larger region is
+  /// believed.
+  void lay_believed(const Match& match, const PerHalfedge<HalfedgeId>& images) {
     for (const bool both_ways : {true, false}) {
       for (const Region& region : match.regions) {
         for (const FacePair& pair : region.faces) {
-          const HalfedgeId first = part.mesh().first(pair.source);
-          if (both_ways && images[images[first]] != first) continue;
-          map_.lay({part.to_whole(first), part.to_whole(images[first])}, both_ways ? Fit::Free : Fit::Vertices);
+          const HalfedgeId first = mesh_.first(pair.source);
+          if (!is_believed(pair) || (both_ways && images[images[first]] != first)) continue;
+          map_.lay({first, images[first]}, both_ways ? Fit::Free : Fit::Vertices);
         }
       }
+      for (const Germ& germ : others_) map_.lay(germ, Fit::Vertices);
     }
+    map_.grow(Fit::Looks);
+    map_.cover_rim();
   }
 
-  /// What lies on each other both ways is certain.
-  void lay_mutual(const Match& match) {
-    const PerHalfedge<HalfedgeId> images = images_of(mesh_, match);
+  /// What an edit cut off is a part of its own among the faces that are left, and so is what lies opposite.
+  void lay_left_over() {
+    std::vector<FaceId> left;
+    for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
+      if (!map_.image(FaceId(f)).valid()) left.push_back(FaceId(f));
+    }
+    if (left.empty() || 2 * left.size() > mesh_.face_count()) return;
+    const std::optional<MirrorPlane> plane = fit_plane(mesh_, pairs_laid());
+    const PartMesh part(mesh_, std::move(left));
+    const Match match = match_with_image(part.mesh(), plane.value_or(MirrorPlane()));
+    const PerHalfedge<HalfedgeId> images = images_of(part.mesh(), match);
     for (const Region& region : match.regions) {
       for (const FacePair& pair : region.faces) {
-        const HalfedgeId first = mesh_.first(pair.source);
-        if (images[images[first]] == first) map_.lay({first, images[first]}, Fit::Free);
+        const HalfedgeId first = part.mesh().first(pair.source);
+        if (images[images[first]] != first) continue;
+        map_.lay({part.to_whole(first), part.to_whole(images[first])},
+                 region.faces.size() < kLeastIsland ? Fit::Vertices : Fit::Free);
       }
     }
   }
 
-  /// Where the match says two things of a face, the larger region is believed.
-  void lay_rest(const Match& match) {
-    const PerHalfedge<HalfedgeId> images = images_of(mesh_, match);
-    for (const Region& region : match.regions) {
-      for (const FacePair& pair : region.faces) {
-        const HalfedgeId first = mesh_.first(pair.source);
-        map_.lay({first, images[first]}, Fit::Vertices);
-      }
+  [[nodiscard]] std::vector<VertexPair> pairs_laid() const {
+    std::vector<VertexPair> pairs;
+    for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
+      if (map_.image(VertexId(v)).valid()) pairs.push_back({VertexId(v), map_.image(VertexId(v))});
     }
+    return pairs;
   }
 
   [[nodiscard]] std::uint32_t laid_in(std::uint32_t component) const {
@@ -243,6 +317,10 @@ class SymmetryFinder {
   const double edge_;
   const PerFan<VertexCode> codes_;
   const Components components_;
+  std::vector<bool> settled_;           // components of which all mirrors were looked through
+  PerFace<std::uint8_t> is_overruled_;  // what the match says of them is not believed
+  std::vector<FaceId> overruled_;
+  std::vector<Germ> others_;  // grown from lines, to be laid where there is room
   MirrorMap map_;
   std::optional<MirrorSearch> search_;
 };
