@@ -135,6 +135,12 @@ Expected<void> check_wishes(const MeshFile& file, const Symmetry& symmetry, cons
   };
   if (file.mesh.positions().empty()) return refuse("it has no positions, so nobody can say which side is which");
   if (!symmetry.plane) return refuse("it has no mirror, so there are no sides to copy");
+  const Point& normal = symmetry.plane->normal;
+  if (symmetry.plane->fits() && std::abs(normal[options.from.axis]) < 0.1) {
+    const auto main = std::max_element(normal.begin(), normal.end()) - normal.begin();
+    return refuse(fmt::format("its sides lie to +{0} and -{0}, none to {1}; choose the axis across the mirror",
+                              "xyz"[main], "xyz"[options.from.axis]));
+  }
   if (options.carry.positions && !symmetry.plane->fits()) {
     return refuse(
         fmt::format("the model is posed: in the best plane, mirrored vertices miss their partners by {:.1f} % of the "

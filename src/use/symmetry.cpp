@@ -114,7 +114,7 @@ class SymmetryFinder {
         ++tallies[components_.of_face[pair.target]].taken;
         tally.onto_itself += components_.of_face[pair.target] == components_.of_face[pair.source];
         tally.mutual += mutual;
-        tally.ways = std::max(tally.ways, region.ways);
+        if (2 * region.faces.size() > tally.faces) tally.ways = region.ways;  // and not of a scrap of it
         if (mutual && tally.germs.size() < kMostGerms) look_for_line(pair, images, tally);
       }
     }
