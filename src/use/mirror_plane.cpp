@@ -106,7 +106,8 @@ std::optional<MirrorPlane> fit_plane(const Mesh& mesh, std::span<const VertexPai
     plane = weighted_plane(from, to, weights);
     for (std::size_t k = 0; k < from.size(); ++k) {
       off[k] = distance(plane.mirrored(from[k]), to[k]);
-      weights[k] = 1 / (off[k] + 1e-5 * size + 1e-30);
+      const double far = off[k] / (1e-4 * size + 1e-30);
+      weights[k] = round < kRounds / 2 ? 1 / (far + 0.1) : 1 / (far * far + 1);  // at last hardly any
     }
   }
   const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
