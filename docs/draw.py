@@ -13,8 +13,8 @@ import tempfile
 import matplotlib
 import numpy
 
-from picture import (AGREES, ANCHOR, EXAMPLES, NODE, PLAIN, ROOT, UNMATCHED, Mesh, Picture, Programs, ends_of, panels,
-                     region_colours, save, valences, view)
+from picture import (AGREES, ANCHOR, EXAMPLES, NODE, ON_LINE, PLAIN, REGIONS, ROOT, UNMATCHED, Mesh, Picture, Programs,
+                     chequered, ends_of, panels, region_colours, save, valences, view)
 
 IMAGES = ROOT / "docs" / "images"
 
@@ -100,7 +100,53 @@ def draw_seam(programs):
               box=((-1.3, 0.35), (-0.3, 1.05)), both_sides=True)
 
 
-PICTURES = [draw_bears, draw_skeletons, draw_waves, draw_regions, draw_seam]
+def draw_symmetry(programs):
+    """A posed bear: each side in a colour of its own, the centre line, and what has no mirror image."""
+    path = EXAMPLES / "bear_posed.obj"
+    found = programs.symmetry(path)
+    partner = {pair[0]: pair[1] for region in found["regions"] for pair in region["faces"]}
+    line = found["symmetry"]["centre_line"]
+    mesh = Mesh(path)
+    # By connectivity alone: what can be reached without crossing the line is one side.
+    beside = {}
+    for face, corners in enumerate(mesh.faces):
+        for edge in zip(corners, corners[1:] + corners[:1]):
+            beside.setdefault(frozenset(edge), []).append(face)
+    along = {frozenset(edge) for edge in line["edges"]}
+    left, to_visit = set(), [next(face for face in partner if partner[face] != face)]
+    while to_visit:
+        face = to_visit.pop()
+        if face in left:
+            continue
+        left.add(face)
+        corners = mesh.faces[face]
+        for edge in map(frozenset, zip(corners, corners[1:] + corners[:1])):
+            if edge not in along:
+                to_visit += [other for other in beside[edge] if partner.get(other, other) not in (other, *left)]
+    figure, both = panels(2, 8, 4.6)
+    for panel, turn, title in zip(both, (-25, 155), ("bear_posed.obj", "from behind")):
+        picture = Picture(mesh, view(turn, 12))
+        picture.add_faces(lambda face: UNMATCHED if face not in partner else ON_LINE if partner[face] == face
+                          else REGIONS[0] if face in left else REGIONS[1])
+        picture.add_lines(line["edges"], mesh.positions, width=1.8)
+        picture.paint(panel, title)
+    save(figure, IMAGES / "symmetry.png")
+
+
+def draw_transfer(programs):
+    """What transfer carries: materials of a bear, on one that waves and has no ears."""
+    source, target = EXAMPLES / "bear.obj", EXAMPLES / "bear_no_ears_posed.obj"
+    result = programs.transferred(source, target, "--only", "uv")
+    figure, both = panels(2, 8, 4.6)
+    for panel, path, title in zip(both, (source, result), ("bear.obj: its texture", "carried over to bear_no_ears_posed.obj")):
+        mesh, shades = Mesh(path), chequered(path)
+        picture = Picture(mesh, view(-25, 12))
+        picture.add_faces(lambda face, shades=shades: shades[face] or UNMATCHED)
+        picture.paint(panel, title)
+    save(figure, IMAGES / "transfer.png")
+
+
+PICTURES = [draw_symmetry, draw_transfer, draw_bears, draw_skeletons, draw_waves, draw_regions, draw_seam]
 
 
 def main():

@@ -25,6 +25,7 @@ LINE = (0.13, 0.35, 0.6)
 NODE = (0.95, 0.6, 0.1)
 AGREES = (0.35, 0.7, 0.3)
 ANCHOR = (0.84, 0.15, 0.16)
+ON_LINE = (0.55, 0.8, 0.6)
 INK = (0.1, 0.1, 0.12)
 EDGE = (0.35, 0.35, 0.35, 0.45)
 LIGHT = numpy.array([0.35, 0.5, 0.8])
@@ -105,14 +106,26 @@ class Programs:
     def __init__(self, build, folder):
         self.build, self.folder = build, folder
 
-    def run(self, program, *words):
+    def run(self, program, *words, statuses=(0,)):
         command = [str(self.build / program), *(str(word) for word in words)]
-        subprocess.run(command, check=True, cwd=ROOT, capture_output=True)
+        ended = subprocess.run(command, check=False, cwd=ROOT, capture_output=True, text=True)
+        if ended.returncode not in statuses:
+            raise SystemExit(f"{' '.join(command)}: status {ended.returncode}: {ended.stderr.strip()}")
 
     def match(self, source, target, *more):
         path = self.folder / "match.json"
         self.run("quadmatch", "match", source, target, "-o", path, "--quiet", *more)
         return json.loads(path.read_text(encoding="utf-8"))
+
+    def symmetry(self, mesh, *more):
+        path = self.folder / "map.json"
+        self.run("quadmatch", "symmetry", mesh, "-o", path, "--quiet", *more, statuses=(0, 1))
+        return json.loads(path.read_text(encoding="utf-8"))
+
+    def transferred(self, source, target, *more):
+        path = self.folder / "transferred.obj"
+        self.run("quadmatch", "transfer", source, target, "-o", path, "--quiet", *more, statuses=(0, 1))
+        return path
 
     def skeleton(self, mesh, *more):
         path = self.folder / "lines.obj"
@@ -155,6 +168,23 @@ def valences(mesh):
     """The number of edges at each vertex."""
     edges = {frozenset(edge) for face in mesh.faces for edge in zip(face, face[1:] + face[:1])}
     return numpy.bincount([vertex for edge in edges for vertex in edge], minlength=len(mesh.positions))
+
+
+def chequered(path, squares=16):
+    """A colour for each face by where its middle is on the texture, nothing for faces that are not on it."""
+    pool, shades = [], []
+    for line in path.read_text(encoding="utf-8").splitlines():
+        words = line.split()
+        if words[:1] == ["vt"]:
+            pool.append([float(word) for word in words[1:3]])
+        elif words[:1] == ["f"]:
+            indices = [int((word.split("/") + [""])[1] or 0) for word in words[1:]]
+            if 0 in indices:
+                shades.append(None)
+                continue
+            u, v = numpy.mean([pool[index - 1] for index in indices], axis=0)
+            shades.append(REGIONS[(int(u * squares) + 3 * int(v * squares)) % len(REGIONS)])
+    return shades
 
 
 def region_colours(match, side):

@@ -35,7 +35,7 @@ std::string place_of(const std::optional<MirrorPlane>& plane, const Point& sum, 
 
 std::string describe_plane(const MirrorPlane& plane) {
   // No "-0": a plane through the middle, but for rounding, is a plane through the middle.
-  const auto plain = [](double number) { return std::abs(number) < 5e-7 ? 0.0 : number; };
+  const auto plain = [](double number) { return std::abs(number) < 1e-5 ? 0.0 : number; };
   const std::optional<std::size_t> axis = axis_of(plane);
   const std::string where = axis ? fmt::format("{} = {:.4g}", "xyz"[*axis], plain(plane.offset))
                                  : fmt::format("across ({:.3f}, {:.3f}, {:.3f})", plain(plane.normal[0]),

@@ -101,9 +101,9 @@ class Divider {
 
 }  // namespace
 
-PerHalfedge<HalfedgeId> images_of(const Mesh& mesh, const Match& match) {
+PerHalfedge<HalfedgeId> images_of(const Mesh& mesh, const std::vector<Region>& regions) {
   PerHalfedge<HalfedgeId> images(mesh.halfedge_count());
-  for (const Region& region : match.regions) {
+  for (const Region& region : regions) {
     for (const FacePair& pair : region.faces) {
       const std::uint32_t size = mesh.size(pair.source);
       for (std::uint32_t corner = 0; corner < size; ++corner) {

@@ -15,6 +15,7 @@
 #include "mirror_plane.hpp"
 #include "mirror_regions.hpp"
 #include "mirror_search.hpp"
+#include "one_sided.hpp"
 #include "part_mesh.hpp"
 
 namespace quadmatch {
@@ -23,6 +24,8 @@ namespace {
 
 /// Of the faces a match pairs in a component, how many must lie on each other both ways for it to be one mirror.
 constexpr double kOneMirror = 0.9;
+/// How much farther than the largest region of the match another mirror must reach to be believed instead.
+constexpr double kFarther = 1.05;
 /// Places on the line of which growth is tried.
 constexpr std::size_t kMostGerms = 5;
 /// Fewer faces that were cut off could lie anywhere.
@@ -35,12 +38,15 @@ struct Tally {
   std::uint32_t onto_itself = 0;  ///< matched with a face of the component
   std::uint32_t mutual = 0;       ///< and that one with it, in the same place
   std::uint32_t taken = 0;        ///< partners of any face
-  std::uint32_t ways = 1;
+  std::uint32_t largest = 0;      ///< faces of its largest region
+  std::uint32_t ways = 1;         ///< of that one
   bool has_line = false;
   std::vector<Germ> germs = {};  ///< some on the line
 
   /// Does it lie opposite itself, but not all of it?
   [[nodiscard]] bool is_edited() const { return 2 * onto_itself >= matched && matched < faces && has_line; }
+  /// Might the match have taken a bit of this mirror and a bit of that one?
+  [[nodiscard]] bool is_patchwork() const { return largest < kOneMirror * faces; }
   /// Does it have to be asked for its mirrors?
   [[nodiscard]] bool is_in_doubt() const {
     if (matched == 0) return taken == 0;
@@ -65,18 +71,20 @@ class SymmetryFinder {
     Symmetry symmetry;
     const Match match = match_with_image(mesh_, edge_ > 0 ? likely_plane(mesh_, edge_) : MirrorPlane());
     symmetry.complete = match.complete;
-    const PerHalfedge<HalfedgeId> images = images_of(mesh_, match);
+    const PerHalfedge<HalfedgeId> images = images_of(mesh_, match.regions);
     const std::vector<Tally> tallies = tallied(match, images);
     const std::uint32_t largest = largest_component();
     for (std::uint32_t c = 0; c < tallies.size() && symmetry.complete; ++c) {
       if (tallies[c].is_in_doubt()) {
-        settle(c, c == largest, symmetry);
-      } else if (tallies[c].is_edited()) {
+        settle(c, c == largest, symmetry, {});
+      } else if (tallies[c].is_edited() &&
+                 !(tallies[c].is_patchwork() && settle(c, c == largest, symmetry, tallies[c]))) {
         overrule(tallies[c], images);
       }
     }
     lay_believed(match, images);
     if (symmetry.complete) lay_left_over();
+    drop_one_sided();
     if (symmetry.mirrors == 0 && !components_.face_count.empty()) {
       symmetry.mirrors = laid_in(largest) > 0 ? 1 : 0;
       symmetry.maybe_more = laid_in(largest) < components_.face_count[largest];
@@ -106,6 +114,11 @@ class SymmetryFinder {
     std::vector<Tally> tallies(components_.face_count.size());
     for (std::size_t c = 0; c < tallies.size(); ++c) tallies[c].faces = components_.face_count[c];
     for (const Region& region : match.regions) {
+      Tally& of_region = tallies[components_.of_face[region.faces.front().source]];
+      if (region.faces.size() > of_region.largest) {
+        of_region.largest = static_cast<std::uint32_t>(region.faces.size());
+        of_region.ways = region.ways;
+      }
       for (const FacePair& pair : region.faces) {
         Tally& tally = tallies[components_.of_face[pair.source]];
         const HalfedgeId first = mesh_.first(pair.source);
@@ -114,7 +127,6 @@ class SymmetryFinder {
         ++tallies[components_.of_face[pair.target]].taken;
         tally.onto_itself += components_.of_face[pair.target] == components_.of_face[pair.source];
         tally.mutual += mutual;
-        if (2 * region.faces.size() > tally.faces) tally.ways = region.ways;  // and not of a scrap of it
         if (mutual && tally.germs.size() < kMostGerms) look_for_line(pair, images, tally);
       }
     }
@@ -132,10 +144,11 @@ class SymmetryFinder {
   }
 
   /// Look through all mirrors of a component, and lay the best.
-  void settle(std::uint32_t component, bool is_largest, Symmetry& symmetry) {
+  /// @return  false where what was matched already goes as far
+  bool settle(std::uint32_t component, bool is_largest, Symmetry& symmetry, const Tally& matched) {
     if (!search_) search_.emplace(mesh_, codes_, components_, edge_);
     const MirrorsOfComponent found = search_->mirrors_of(component);
-    if (found.mirrors.empty()) return;
+    if (found.mirrors.empty() || found.mirrors.front().faces < kFarther * matched.largest) return false;
     if (is_largest) {
       for (const Mirror& mirror : found.mirrors) symmetry.mirrors += mirror.line_length > 0 ? 1 : 0;
       symmetry.mirrors = std::max(symmetry.mirrors, 1U);
@@ -144,6 +157,7 @@ class SymmetryFinder {
     map_.lay(found.mirrors.front().germ, Fit::Looks);
     map_.grow(Fit::Looks);
     settled_[component] = true;
+    return true;
   }
 
   /// A component with one mirror that was edited. What grows from its line, and sees that extraordinary vertices agree,
@@ -225,10 +239,29 @@ class SymmetryFinder {
           map_.lay({first, images[first]}, both_ways ? Fit::Free : Fit::Vertices);
         }
       }
+      drop_one_sided();
       for (const Germ& germ : others_) map_.lay(germ, Fit::Vertices);
     }
     map_.grow(Fit::Looks);
     map_.cover_rim();
+  }
+
+  /// Give up what lies on its own side.
+  void drop_one_sided() {
+    const std::vector<Region> regions = regions_of(mesh_, codes_, map_, [](FaceId) { return true; });
+    const std::vector<bool> drops = one_sided(mesh_, components_, regions);
+    if (std::find(drops.begin(), drops.end(), true) == drops.end()) return;
+    PerFace<std::uint8_t> is_dropped(mesh_.face_count(), 0);
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+      for (const FacePair& pair : regions[r].faces) {
+        if (drops[r]) is_dropped[pair.source] = is_dropped[pair.target] = 1;
+      }
+    }
+    const std::vector<Germ> laid = map_.laid();
+    map_.clear();
+    for (const Germ& germ : laid) {
+      if (is_dropped[mesh_.face(germ.from)] == 0) map_.lay(germ, Fit::Free);
+    }
   }
 
   /// What an edit cut off is a part of its own among the faces that are left, and so is what lies opposite.
@@ -241,7 +274,7 @@ class SymmetryFinder {
     const std::optional<MirrorPlane> plane = fit_plane(mesh_, pairs_laid());
     const PartMesh part(mesh_, std::move(left));
     const Match match = match_with_image(part.mesh(), plane.value_or(MirrorPlane()));
-    const PerHalfedge<HalfedgeId> images = images_of(part.mesh(), match);
+    const PerHalfedge<HalfedgeId> images = images_of(part.mesh(), match.regions);
     for (const Region& region : match.regions) {
       for (const FacePair& pair : region.faces) {
         const HalfedgeId first = part.mesh().first(pair.source);

@@ -161,7 +161,7 @@ TEST_CASE("symmetry: a patch deleted from one side leaves the rest paired") {
   REQUIRE(edit.has_value());
   const Symmetry symmetry = mirror_of(build(edit->soup));
   CHECK_FALSE(symmetry.whole());
-  CHECK(symmetry.unpaired_faces.size() <= 7);
+  CHECK(symmetry.unpaired_faces.size() <= 14);  // what was opposite, and a few about it
 }
 
 TEST_CASE("symmetry: a left and a right part without mirrors of their own are each other's mirror image") {
