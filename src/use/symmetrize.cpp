@@ -10,6 +10,7 @@
 #include <quadmatch/use/symmetry.hpp>
 
 #include "mirror_map.hpp"
+#include "mirror_plane.hpp"
 #include "mirror_regions.hpp"
 #include "part_mesh.hpp"
 
@@ -155,6 +156,7 @@ void mirror_positions(const MeshFile& file, const Symmetry& symmetry, const PerV
                       Symmetrized& result) {
   const std::span<const Point> before = file.mesh.positions();
   std::vector<Point> after(before.begin(), before.end());
+  const double least = 1e-4 * mean_edge(file.mesh);  // the last digits of a file are no motion
   for (const auto& [v, w] : symmetry.match.vertices) {
     if (v != w && sides[v] >= 0) continue;  // v takes w's
     Point there = symmetry.plane->mirrored(before[w.value]);
@@ -164,7 +166,7 @@ void mirror_positions(const MeshFile& file, const Symmetry& symmetry, const PerV
     const Point& here = before[v.value];
     const double way = std::hypot(there[0] - here[0], there[1] - here[1], there[2] - here[2]);
     after[v.value] = there;
-    result.moved += there != here ? 1 : 0;
+    result.moved += way > least ? 1 : 0;
     result.farthest = std::max(result.farthest, way);
   }
   result.file.mesh = with_positions(result.file.mesh, std::move(after));

@@ -104,7 +104,7 @@ struct SymmetrizeOptions {
 
 struct Symmetrized {
   MeshFile file;
-  std::uint32_t moved = 0;  ///< vertices whose position changed
+  std::uint32_t moved = 0;  ///< vertices that moved by more than rounding
   /// How far the farthest of them moved, in units of the file.
   double farthest = 0;
   /// What became of everything but positions.
