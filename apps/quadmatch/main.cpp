@@ -50,6 +50,7 @@ int run(int argc, char** argv) {
   add_match_command(program, chosen);
   add_transfer_command(program, chosen);
   add_symmetry_command(program, chosen);
+  add_merge_command(program, chosen);
   add_verify_command(program, chosen);
   add_check_command(program, chosen);
   add_diff_command(program, chosen);

@@ -19,5 +19,6 @@
 #include <quadmatch/mesh/mesh.hpp>
 #include <quadmatch/use/diff.hpp>
 #include <quadmatch/use/symmetry.hpp>
+#include <quadmatch/use/merge.hpp>
 #include <quadmatch/use/transfer.hpp>
 #include <quadmatch/verify/verify.hpp>

@@ -3,35 +3,14 @@
 #include <algorithm>
 #include <map>
 #include <string_view>
-#include <tuple>
+#include <utility>
+
+#include "face_states.hpp"
 
 namespace quadmatch::use {
 namespace {
 
 constexpr std::uint32_t kNone = ElementMap::kNone;
-
-/// A record of the source or of the target, or none.
-struct RecordId {
-  bool own = false;  ///< of the target
-  std::uint32_t index = kNone;
-
-  [[nodiscard]] bool valid() const { return index != kNone; }
-  bool operator==(const RecordId& other) const { return index == other.index && (own == other.own || index == kNone); }
-};
-
-/// What holds at each face of a file: the index of a record, or kNone before the first.
-std::vector<std::uint32_t> states_of(const MeshFile& file, std::string_view keyword) {
-  std::vector<std::uint32_t> states(file.mesh.face_count(), kNone);
-  std::uint32_t from = 0, holds = kNone;
-  for (std::uint32_t r = 0; r < file.face_records.size(); ++r) {
-    if (file.face_records[r].keyword != keyword) continue;
-    const std::uint32_t first = file.face_records[r].first_face;
-    for (; from < first; ++from) states[from] = holds;
-    holds = r;
-  }
-  for (; from < states.size(); ++from) states[from] = holds;
-  return states;
-}
 
 bool has(const MeshFile& file, std::string_view keyword) {
   return std::any_of(file.face_records.begin(), file.face_records.end(),
@@ -43,12 +22,6 @@ bool is_wanted(std::string_view keyword, const Carry& carry) {
   if (keyword == "s") return carry.smoothing;
   return (keyword == "o" || keyword == "g") && carry.groups;
 }
-
-/// One kind of record, by faces of the target.
-struct Track {
-  std::string keyword;
-  std::vector<RecordId> states;
-};
 
 /// What most of the matched faces of each of the target's objects are in: its other faces shall be there too, or an
 /// object would fall apart in two for being new in places. By own record + 1.
@@ -102,45 +75,6 @@ Track own_track(const MeshFile& target, const std::string& keyword) {
   return track;
 }
 
-/// A record that says that there is none from here on.
-FaceRecord ending(const std::string& keyword, std::uint32_t face) {
-  return {face, keyword, keyword == "s" ? "off" : keyword == "g" ? "default" : ""};
-}
-
-/// Those that begin before one face, in the order in which they are written: endings first; then the records of the
-/// file that the object comes from, as importers let an object end its groups; each file's in its own order.
-void write_changes(const MeshFile& source, const MeshFile& target, std::uint32_t place,
-                   std::vector<std::pair<const Track*, RecordId>> changes, std::vector<FaceRecord>& records) {
-  const auto object =
-      std::find_if(changes.begin(), changes.end(), [](const auto& change) { return change.first->keyword == "o"; });
-  const bool own_first = object != changes.end() && object->second.valid() && object->second.own;
-  const auto rank = [own_first](const auto& change) {
-    const RecordId& id = change.second;
-    return std::tuple(id.valid(), id.valid() && id.own != own_first, id.valid() ? id.index : 0);
-  };
-  std::stable_sort(changes.begin(), changes.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
-  for (const auto& [track, id] : changes) {
-    if (!id.valid()) {
-      records.push_back(ending(track->keyword, place));
-      continue;
-    }
-    const FaceRecord& record = (id.own ? target : source).face_records[id.index];
-    records.push_back({place, record.keyword, record.value});
-  }
-}
-
-std::vector<std::string> keywords_of(const MeshFile& source, const MeshFile& target) {
-  std::vector<std::string> keywords;
-  for (const MeshFile* const file : {&source, &target}) {
-    for (const FaceRecord& record : file->face_records) {
-      if (std::find(keywords.begin(), keywords.end(), record.keyword) == keywords.end()) {
-        keywords.push_back(record.keyword);
-      }
-    }
-  }
-  return keywords;
-}
-
 }  // namespace
 
 std::vector<FaceRecord> carry_face_records(const MeshFile& source, const MeshFile& target, const ElementMap& map,
@@ -148,7 +82,7 @@ std::vector<FaceRecord> carry_face_records(const MeshFile& source, const MeshFil
                                            std::vector<TransferredAttribute>& report) {
   std::vector<Track> tracks;
   bool any_carried = false;
-  for (const std::string& keyword : keywords_of(source, target)) {
+  for (const std::string& keyword : keywords_of({&source, &target})) {
     if (is_wanted(keyword, options.carry) && has(source, keyword)) {
       TransferredAttribute& entry = report.emplace_back(TransferredAttribute{keyword, Domain::Face});
       tracks.push_back(carried_track(source, target, keyword, map, options.fill, entry));
@@ -159,19 +93,13 @@ std::vector<FaceRecord> carry_face_records(const MeshFile& source, const MeshFil
   }
   if (!any_carried && !options.order) return target.face_records;
 
-  std::vector<FaceRecord> records;
-  std::vector<RecordId> holds(tracks.size());
-  for (std::uint32_t place = 0; place < faces.size(); ++place) {
-    std::vector<std::pair<const Track*, RecordId>> changes;
-    for (std::size_t t = 0; t < tracks.size(); ++t) {
-      const RecordId& state = tracks[t].states[faces[place].value];
-      if (state == holds[t]) continue;
-      holds[t] = state;
-      changes.emplace_back(&tracks[t], state);
-    }
-    if (!changes.empty()) write_changes(source, target, place, std::move(changes), records);
+  for (Track& track : tracks) {
+    std::vector<RecordId> in_order;
+    in_order.reserve(faces.size());
+    for (const FaceId f : faces) in_order.push_back(track.states[f.value]);
+    track.states = std::move(in_order);
   }
-  return records;
+  return records_of(source, target, tracks);
 }
 
 }  // namespace quadmatch::use

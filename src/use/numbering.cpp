@@ -82,28 +82,6 @@ void reorder(std::optional<IndexedAttribute>& attribute, const std::vector<Halfe
   attribute->corner_index = std::move(indices);
 }
 
-/// The vertices that a PLY file's edges and the like name.
-void renumber_further(FurtherElement& element, const std::vector<std::uint32_t>& new_vertex,
-                      std::vector<std::string>& notes) {
-  constexpr std::array<std::string_view, 6> kNames{"vertex1", "vertex2", "vertex_index", "vertex_indices", "v1", "v2"};
-  bool any = false;
-  for (Property& property : element.properties) {
-    if (!is_whole(property.type) || std::find(kNames.begin(), kNames.end(), property.name) == kNames.end()) continue;
-    any = true;
-    for (double& value : property.values) {
-      if (value >= 0 && value < static_cast<double>(new_vertex.size())) {
-        value = new_vertex[static_cast<std::size_t>(value)];
-      }
-    }
-    property.type = holding_both(property.type, ScalarType::Int32);
-  }
-  if (any) return;
-  notes.push_back(
-      fmt::format("the elements {} were left as they are; if they name vertices or faces, then by the "
-                  "numbers from before",
-                  element.name));
-}
-
 template <class Id>
 std::vector<std::uint32_t> places_of(const std::vector<Id>& order) {
   std::vector<std::uint32_t> places(order.size());
@@ -140,6 +118,27 @@ PolygonSoup soup_in_order(const Mesh& mesh, const Numbering& numbering, const st
 }
 
 }  // namespace
+
+void renumber_further(FurtherElement& element, const std::vector<std::uint32_t>& new_vertex,
+                      std::vector<std::string>& notes) {
+  constexpr std::array<std::string_view, 6> kNames{"vertex1", "vertex2", "vertex_index", "vertex_indices", "v1", "v2"};
+  bool any = false;
+  for (Property& property : element.properties) {
+    if (!is_whole(property.type) || std::find(kNames.begin(), kNames.end(), property.name) == kNames.end()) continue;
+    any = true;
+    for (double& value : property.values) {
+      if (value >= 0 && value < static_cast<double>(new_vertex.size())) {
+        value = new_vertex[static_cast<std::size_t>(value)];
+      }
+    }
+    property.type = holding_both(property.type, ScalarType::Int32);
+  }
+  if (any) return;
+  notes.push_back(
+      fmt::format("the elements {} were left as they are; if they name vertices or faces, then by the "
+                  "numbers from before",
+                  element.name));
+}
 
 Numbering as_it_is(const Mesh& target) {
   Numbering numbering;

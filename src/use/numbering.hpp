@@ -1,6 +1,7 @@
 #pragma once
 /// The order of the result, and bringing a file into it.
 
+#include <string>
 #include <vector>
 
 #include <quadmatch/io/mesh_file.hpp>
@@ -28,5 +29,10 @@ struct Numbering {
 /// data, carried lines, the vertices that further elements of PLY name. Face records are left to the caller.
 /// @par Errors  as of Mesh::build.
 [[nodiscard]] Expected<MeshFile> renumbered(MeshFile file, const Numbering& numbering);
+
+/// The vertices that a PLY file's edges and the like name, by their new numbers. Where it names none by a usual name, a
+/// note says so.
+void renumber_further(FurtherElement& element, const std::vector<std::uint32_t>& new_vertex,
+                      std::vector<std::string>& notes);
 
 }  // namespace quadmatch::use
