@@ -32,15 +32,6 @@ std::vector<Point> unused_vertices(const Mesh& mesh) {
   return points;
 }
 
-template <class Id>
-Origin origin_of(const InThree<Id>& in, bool only, Side side) {
-  Origin origin{{in.in[0].value, in.in[1].value, in.in[2].value}};
-  for (const Side another : kSides) {
-    if (only && another != side) origin.in[static_cast<std::size_t>(another)] = Origin::kNowhere;
-  }
-  return origin;
-}
-
 class Merger {
  public:
   Merger(const ThreeFiles& files, const Match& to_ours, const Match& to_theirs, Side preferred)
@@ -280,8 +271,11 @@ Expected<Merged> merge(const MeshFile& base, const MeshFile& ours, const MeshFil
     merged->file = theirs;
     return merged;
   }
-  if (merged->report.ours.matched_faces == 0) return use::nothing_in_common(base, ours);
-  if (merged->report.theirs.matched_faces == 0) return use::nothing_in_common(base, theirs);
+  const MergeReport& report = merged->report;
+  if (report.ours.connectivity() && report.theirs.connectivity()) {
+    if (report.ours.matched_faces == 0) return use::nothing_in_common(base, ours);
+    if (report.theirs.matched_faces == 0) return use::nothing_in_common(base, theirs);
+  }
   return merged;
 }
 

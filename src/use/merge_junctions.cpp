@@ -87,12 +87,17 @@ class Finder {
     }
   }
 
+  /// An edit is what one side changed at junctions that share faces, one after the other.
   void find_areas() {
     areas_ = DisjointSets(static_cast<std::uint32_t>(found_.list.size()));
     for (std::size_t cell = 0; cell < cells_.faces.size(); ++cell) {
-      if (cells_.faces[cell][Side::Ours].valid() == cells_.faces[cell][Side::Theirs].valid()) continue;
-      for (std::uint32_t c = cells_.first_corner[cell]; c < cells_.first_corner[cell + 1]; ++c) {
-        areas_.join(found_.of_corner[cells_.first_corner[cell]], found_.of_corner[c]);
+      for (const Side side : {Side::Ours, Side::Theirs}) {
+        std::uint32_t first = kNone;
+        for (std::uint32_t c = cells_.first_corner[cell]; c < cells_.first_corner[cell + 1]; ++c) {
+          if (!found_.at(c).by(side)) continue;
+          if (first == kNone) first = found_.of_corner[c];
+          areas_.join(first, found_.of_corner[c]);
+        }
       }
     }
     for (std::uint32_t j = 0; j < found_.list.size(); ++j) {

@@ -32,9 +32,10 @@ struct Junctions {
   [[nodiscard]] const Junction& at(std::uint32_t corner) const { return list[of_corner[corner]]; }
 };
 
-/// Both sides changed a junction, and not in the same way: that is a conflict. It spreads over faces that only one side
-/// has, because they are there or not as a whole. And where, though no junction is changed by both, two faces would
-/// share vertices that they share in neither side, what joins them at either end is a conflict.
+/// Both sides changed a junction, and not in the same way: that is a conflict. It spreads over the edits it is part of:
+/// over what either side changed beside it, face by face; so a face that only one side has is there or not as a whole,
+/// and no half of a slit stays open. And where, though no junction is changed by both, two faces would share vertices
+/// that they share in neither side, what joins them at either end is a conflict.
 [[nodiscard]] Junctions find_junctions(const ThreeMeshes& meshes, const Cells& cells, Side preferred);
 
 /// Does the result have the cell?

@@ -12,7 +12,9 @@ namespace {
 class Displacement {
  public:
   /// Known at vertices with a corner that all three have, outside of conflicts.
-  Displacement(const ThreeFiles& files, const Cells& cells, const Junctions& junctions, Side side)
+  /// @param held  as of `held_junctions`.
+  Displacement(const ThreeFiles& files, const Cells& cells, const Junctions& junctions,
+               const std::vector<std::uint8_t>& held, Side side)
       : mesh_(file_of(files, side).mesh),
         moves_{3, std::vector<std::uint8_t>(mesh_.vertex_count(), 0),
                std::vector<double>(3 * mesh_.vertex_count(), 0)} {
@@ -20,7 +22,7 @@ class Displacement {
     for (std::uint32_t c = 0; c < cells.corners.size(); ++c) {
       const InThree<HalfedgeId>& corner = cells.corners[c];
       const bool in_all = corner[Side::Base].valid() && corner[Side::Ours].valid() && corner[Side::Theirs].valid();
-      if (!in_all || junctions.at(c).in_conflict()) continue;
+      if (!in_all || junctions.at(c).in_conflict() || held[junctions.of_corner[c]] != 0) continue;
       const VertexId v = mesh_.origin(corner[side]);
       if (moves_.known[v.value] != 0) continue;
       moves_.known[v.value] = 1;
@@ -57,11 +59,67 @@ class Displacement {
   bool interpolated_ = false;
 };
 
-/// Does a side alone decide where the vertex is, but for what the other moves around it?
-bool is_carried(const Layout& layout, const Junctions& junctions, std::size_t vertex) {
+/// The junctions that a side left as they are and moved.
+std::vector<std::uint8_t> moved_junctions(const ThreeFiles& files, const Cells& cells, const Junctions& junctions,
+                                          Side side) {
+  const Mesh &base = file_of(files, Side::Base).mesh, &mesh = file_of(files, side).mesh;
+  std::vector<std::uint8_t> moved(junctions.list.size(), 0);
+  for (std::uint32_t c = 0; c < cells.corners.size(); ++c) {
+    const HalfedgeId before = cells.corners[c][Side::Base], after = cells.corners[c][side];
+    if (!before.valid() || !after.valid() || junctions.at(c).by(side)) continue;
+    const bool same = base.positions()[base.origin(before).value] == mesh.positions()[mesh.origin(after).value];
+    if (!same) moved[junctions.of_corner[c]] = 1;
+  }
+  return moved;
+}
+
+/// Junctions that the side which is not preferred moved as part of an edit in conflict: those that hang together with
+/// the conflict. There the result holds the preferred side, too. Where it moved most of the mesh, that is a pose and
+/// part of no edit.
+std::vector<std::uint8_t> held_junctions(const ThreeFiles& files, const Cells& cells, const Junctions& junctions,
+                                         Side preferred) {
+  const std::size_t count = junctions.list.size();
+  std::vector<std::uint8_t> held(count, 0);
+  if (junctions.areas == 0) return held;
+  const std::vector<std::uint8_t> moved = moved_junctions(files, cells, junctions, other(preferred));
+  std::vector<std::uint32_t> starts(count + 1, 0), cells_at(cells.corners.size());
+  for (const std::uint32_t j : junctions.of_corner) ++starts[j + 1];
+  for (std::size_t j = 1; j <= count; ++j) starts[j] += starts[j - 1];
+  std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
+  for (std::uint32_t cell = 0; cell < cells.faces.size(); ++cell) {
+    for (std::uint32_t c = cells.first_corner[cell]; c < cells.first_corner[cell + 1]; ++c) {
+      cells_at[next[junctions.of_corner[c]]++] = cell;
+    }
+  }
+  std::vector<std::uint32_t> reached;
+  for (std::uint32_t j = 0; j < count; ++j) {
+    if (junctions.list[j].in_conflict()) reached.push_back(j);
+  }
+  std::size_t held_count = 0;
+  for (std::size_t k = 0; k < reached.size(); ++k) {
+    for (std::uint32_t i = starts[reached[k]]; i < starts[reached[k] + 1]; ++i) {
+      for (std::uint32_t c = cells.first_corner[cells_at[i]]; c < cells.first_corner[cells_at[i] + 1]; ++c) {
+        const std::uint32_t j = junctions.of_corner[c];
+        if (moved[j] == 0 || held[j] != 0 || junctions.list[j].in_conflict()) continue;
+        held[j] = 1;
+        ++held_count;
+        reached.push_back(j);
+      }
+    }
+  }
+  if (2 * held_count > count) held.assign(count, 0);
+  return held;
+}
+
+/// Whose place a vertex has, if a side alone decides it, but for what the other moves around it.
+std::optional<Side> decided_by(const Layout& layout, const Junctions& junctions, const std::vector<std::uint8_t>& held,
+                               Side preferred, std::size_t vertex) {
   const std::uint32_t j = layout.vertices[vertex].junction;
-  if (j == MergedVertex::kNoJunction) return false;
-  return junctions.list[j].in_conflict() || junctions.list[j].by_ours != junctions.list[j].by_theirs;
+  if (j == MergedVertex::kNoJunction) return std::nullopt;
+  if (held[j] != 0) return preferred;
+  const Junction& junction = junctions.list[j];
+  if (junction.in_conflict() || junction.by_ours != junction.by_theirs) return layout.vertices[vertex].side;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -72,12 +130,12 @@ MergedPositions merge_positions(const ThreeFiles& files, const Cells& cells, con
     if (file->mesh.positions().empty()) return {};
   }
   const auto point = [&](Side side, std::uint32_t v) { return file_of(files, side).mesh.positions()[v]; };
+  const std::vector<std::uint8_t> held = held_junctions(files, cells, junctions, preferred);
   std::vector<Origin> elements = origins.vertices;
   for (std::size_t k = 0; k < elements.size(); ++k) {
-    if (!is_carried(layout, junctions, k)) continue;
-    const Side side = layout.vertices[k].side;
-    elements[k] = {{Origin::kNowhere, Origin::kNowhere, Origin::kNowhere}};
-    elements[k].in[static_cast<std::size_t>(side)] = layout.vertices[k].in[side].value;
+    if (const auto side = decided_by(layout, junctions, held, preferred, k)) {
+      elements[k] = origin_of(layout.vertices[k].in, true, *side);
+    }
   }
   const Picks picks =
       pick("positions", Domain::Vertex, elements, preferred,
@@ -89,10 +147,10 @@ MergedPositions merge_positions(const ThreeFiles& files, const Cells& cells, con
   for (std::size_t k = 0; k < elements.size(); ++k) {
     const Side side = picks.sides[k];
     Point place = point(side, elements[k][side]);
-    if (is_carried(layout, junctions, k)) {
+    if (decided_by(layout, junctions, held, preferred, k)) {
       std::optional<Displacement>& displacement = moves[static_cast<std::size_t>(side)];
-      if (!displacement) displacement.emplace(files, cells, junctions, side);
-      const Point move = displacement->at(layout.vertices[k].in[side]);
+      if (!displacement) displacement.emplace(files, cells, junctions, held, side);
+      const Point move = displacement->at(VertexId(elements[k][side]));
       if (move != Point{}) ++merged.carried_along;
       for (std::size_t c = 0; c < 3; ++c) place[c] += move[c];
     }

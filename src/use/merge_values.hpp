@@ -11,6 +11,8 @@
 #include <quadmatch/io/mesh_file.hpp>
 #include <quadmatch/use/merge.hpp>
 
+#include "merge_cells.hpp"
+
 namespace quadmatch::use {
 
 /// An element of the result: its number in each of the meshes, or kNowhere. At least one side has it.
@@ -22,6 +24,16 @@ struct Origin {
   [[nodiscard]] std::uint32_t operator[](Side side) const { return in[static_cast<std::size_t>(side)]; }
   [[nodiscard]] bool has(Side side) const { return (*this)[side] != kNowhere; }
 };
+
+/// @param only  as if no other than this side had it.
+template <class Id>
+[[nodiscard]] Origin origin_of(const InThree<Id>& in, bool only, Side side) {
+  Origin origin{{in.in[0].value, in.in[1].value, in.in[2].value}};
+  for (const Side another : kSides) {
+    if (only && another != side) origin.in[static_cast<std::size_t>(another)] = Origin::kNowhere;
+  }
+  return origin;
+}
 
 /// The elements of the result in its order, by domain.
 struct Origins {

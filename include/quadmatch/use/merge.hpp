@@ -130,7 +130,7 @@ struct Merged {
 /// @param to_ours, to_theirs  from the base, of any origin; reversing regions are passed over.
 /// @return      the merge, conflicts and all.
 /// @par Errors  MatchDoesNotFit for a match that is not sound, with the first fault; BadArgument where both sides
-///              changed the base and one has nothing in common with it; what Mesh::build finds.
+///              changed the faces of the base and one has none of them left; what Mesh::build finds.
 /// @par Cost    O(size of the files); where a side moves what the other changed, a sparse system over new vertices.
 [[nodiscard]] Expected<Merged> merge(const MeshFile& base, const MeshFile& ours, const MeshFile& theirs,
                                      const Match& to_ours, const Match& to_theirs, const MergeOptions& options = {});
