@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <quadmatch/mesh/disjoint_sets.hpp>
-#include <quadmatch/mesh/per_element.hpp>
 
 namespace quadmatch::use {
 namespace {
@@ -32,7 +31,6 @@ class Finder {
     mark_differences(Side::Ours, Side::Theirs, &Junction::differs);
     find_areas();
     decide();
-    while (find_new_meetings()) decide();
     number_areas();
     return std::move(found_);
   }
@@ -87,22 +85,30 @@ class Finder {
     }
   }
 
-  /// An edit is what one side changed at junctions that share faces, one after the other.
+  /// Is it other than in the base on this side, and not the same on the other?
+  [[nodiscard]] bool is_own_change(std::uint32_t corner, Side side) const {
+    const Junction& junction = found_.at(corner);
+    return junction.by(side) && (junction.differs || !junction.by(other(side)));
+  }
+
+  /// @param[in,out] first  a junction of the edit, if there is one already.
+  void join_edit(std::uint32_t& first, std::uint32_t junction) {
+    if (first == kNone) first = junction;
+    areas_.join(first, junction);
+  }
+
+  /// An edit is what one side changed at junctions that share faces, one after the other; edits that share a face meet.
   void find_areas() {
     areas_ = DisjointSets(static_cast<std::uint32_t>(found_.list.size()));
     for (std::size_t cell = 0; cell < cells_.faces.size(); ++cell) {
-      for (const Side side : {Side::Ours, Side::Theirs}) {
-        std::uint32_t first = kNone;
-        for (std::uint32_t c = cells_.first_corner[cell]; c < cells_.first_corner[cell + 1]; ++c) {
-          if (!found_.at(c).by(side)) continue;
-          if (first == kNone) first = found_.of_corner[c];
-          areas_.join(first, found_.of_corner[c]);
-        }
+      std::uint32_t first_ours = kNone, first_theirs = kNone;
+      for (std::uint32_t c = cells_.first_corner[cell]; c < cells_.first_corner[cell + 1]; ++c) {
+        if (is_own_change(c, Side::Ours)) join_edit(first_ours, found_.of_corner[c]);
+        if (is_own_change(c, Side::Theirs)) join_edit(first_theirs, found_.of_corner[c]);
       }
-    }
-    for (std::uint32_t j = 0; j < found_.list.size(); ++j) {
-      const Junction& junction = found_.list[j];
-      if (junction.by_ours && junction.by_theirs && junction.differs) conflicts_.push_back(j);
+      if (first_ours == kNone || first_theirs == kNone) continue;
+      areas_.join(first_ours, first_theirs);
+      conflicts_.push_back(first_ours);
     }
   }
 
@@ -116,91 +122,6 @@ class Finder {
                          : junction.by_theirs && !junction.by_ours ? Side::Theirs
                                                                    : Side::Ours;
     }
-  }
-
-  /// Is there a junction among those of a cell that follows this side because it alone changed it?
-  [[nodiscard]] bool is_changed(std::uint32_t corner, Side side) const {
-    const Junction& junction = found_.at(corner);
-    return !junction.in_conflict() && junction.by(side) && !junction.by(other(side));
-  }
-
-  [[nodiscard]] std::uint32_t vertex_key(std::uint32_t corner) const { return key(corner, found_.at(corner).decides); }
-
-  /// Cells between changes of both sides, where such a meeting may be.
-  [[nodiscard]] std::vector<std::uint32_t> cells_between() const {
-    std::vector<std::uint32_t> between;
-    for (std::uint32_t cell = 0; cell + 1 < cells_.first_corner.size(); ++cell) {
-      bool ours = false, theirs = false;
-      for (std::uint32_t c = cells_.first_corner[cell]; c < cells_.first_corner[cell + 1]; ++c) {
-        ours = ours || is_changed(c, Side::Ours);
-        theirs = theirs || is_changed(c, Side::Theirs);
-      }
-      if (ours && theirs) between.push_back(cell);
-    }
-    return between;
-  }
-
-  /// Two corners of a cell, each with one of another cell at the same vertex of the result.
-  struct Shared {
-    std::uint32_t cell, own, others;
-  };
-
-  /// Two faces that meet in a vertex only because OURS joined them there, and in another only because THEIRS did, meet
-  /// as in no mesh: an edge of too many faces, or two faces laid on each other.
-  bool find_new_meetings() {
-    const std::vector<std::uint32_t> between = cells_between();
-    if (between.empty()) return false;
-    const std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> at_vertex = corners_near(between);
-    bool any = false;
-    for (const std::uint32_t cell : between) {
-      std::vector<Shared> shared;
-      for (std::uint32_t c = cells_.first_corner[cell]; c < cells_.first_corner[cell + 1]; ++c) {
-        for (const auto& [there, corner] : at_vertex[place_[vertex_key(c)]]) {
-          if (there != cell) shared.push_back({there, c, corner});
-        }
-      }
-      std::stable_sort(shared.begin(), shared.end(), [](const Shared& a, const Shared& b) { return a.cell < b.cell; });
-      any = join_new(shared) || any;
-    }
-    return any;
-  }
-
-  /// The corners at each vertex of the result that one of these cells has.
-  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> corners_near(
-      const std::vector<std::uint32_t>& between) {
-    place_.assign(keys_, kNone);
-    std::uint32_t count = 0;
-    for (const std::uint32_t cell : between) {
-      for (std::uint32_t c = cells_.first_corner[cell]; c < cells_.first_corner[cell + 1]; ++c) {
-        if (place_[vertex_key(c)] == kNone) place_[vertex_key(c)] = count++;
-      }
-    }
-    std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> at_vertex(count);
-    for (std::uint32_t cell = 0; cell + 1 < cells_.first_corner.size(); ++cell) {
-      if (!is_present(cells_, found_, cell)) continue;
-      for (std::uint32_t c = cells_.first_corner[cell]; c < cells_.first_corner[cell + 1]; ++c) {
-        const std::uint32_t place = place_[vertex_key(c)];
-        if (place != kNone) at_vertex[place].emplace_back(cell, c);
-      }
-    }
-    return at_vertex;
-  }
-
-  [[nodiscard]] bool joined_only_by(Side side, const Shared& shared) const {
-    return is_changed(shared.own, side) && key(shared.own, other(side)) != key(shared.others, other(side));
-  }
-
-  bool join_new(const std::vector<Shared>& shared) {
-    bool any = false;
-    for (std::size_t a = 0; a < shared.size(); ++a) {
-      for (std::size_t b = 0; b < shared.size() && joined_only_by(Side::Ours, shared[a]); ++b) {
-        if (shared[a].cell != shared[b].cell || !joined_only_by(Side::Theirs, shared[b])) continue;
-        areas_.join(found_.of_corner[shared[a].own], found_.of_corner[shared[b].own]);
-        conflicts_.push_back(found_.of_corner[shared[a].own]);
-        any = true;
-      }
-    }
-    return any;
   }
 
   void number_areas() {
@@ -220,7 +141,6 @@ class Finder {
   Junctions found_;
   DisjointSets areas_;
   std::vector<std::uint32_t> conflicts_;  ///< junctions
-  std::vector<std::uint32_t> place_;      ///< of a vertex in what `corners_near` gives
 };
 
 }  // namespace

@@ -32,10 +32,10 @@ struct Junctions {
   [[nodiscard]] const Junction& at(std::uint32_t corner) const { return list[of_corner[corner]]; }
 };
 
-/// Both sides changed a junction, and not in the same way: that is a conflict. It spreads over the edits it is part of:
-/// over what either side changed beside it, face by face; so a face that only one side has is there or not as a whole,
-/// and no half of a slit stays open. And where, though no junction is changed by both, two faces would share vertices
-/// that they share in neither side, what joins them at either end is a conflict.
+/// An edit is a connected set of junctions that a side changed, each sharing a face with the next. Where edits of both
+/// sides share a face, and did not do the same, there is a conflict, and both are part of it as wholes. So all corners
+/// of a face follow one mesh, or are joined in the same way in both; a face that only one side has is there or not as a
+/// whole; and two faces share vertices only as they do in one of the three.
 [[nodiscard]] Junctions find_junctions(const ThreeMeshes& meshes, const Cells& cells, Side preferred);
 
 /// Does the result have the cell?

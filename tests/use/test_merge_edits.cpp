@@ -51,16 +51,14 @@ void check_origins(const Merged& result, const MeshFile& base, const MeshFile& o
 /// The same mesh up to numbering, with every vertex where it should be.
 bool is_same(const Mesh& result, const Mesh& truth) {
   const IsomorphismResult found = find_isomorphism(result, truth, IsomorphismKind::Preserving);
-  for (const std::string& difference : found.differences) MESSAGE(difference);
   if (!found.isomorphism) return false;
-  int moved = 0;
+  std::size_t moved = 0;
   for (const VertexPair& pair : found.isomorphism->match.vertices) {
     const Point &a = result.positions()[pair.source.value], &b = truth.positions()[pair.target.value];
     for (std::size_t k = 0; k < 3; ++k) {
       if (std::abs(a[k] - b[k]) > 1e-12) ++moved;
     }
   }
-  if (moved) MESSAGE("moved " << moved);
   return moved == 0;
 }
 
@@ -74,14 +72,14 @@ struct Places {
   const PolygonSoup& soup;
   shapes::Random random;
 
-  /// A random edit that fits, away from these vertices and touching no more than a part of the mesh.
+  /// A random edit that fits, two faces or more away from these vertices.
   std::pair<Site, std::vector<bool>> next(const std::vector<bool>& taken) {
     for (int attempt = 0; attempt < 2000; ++attempt) {
       const Site site = random_site(base, random);
       Edited edited(soup);
       if (!edited.apply(base, site)) continue;
       std::vector<bool> touched = edited.touched(base);
-      if (meet(widened(base, touched), taken)) continue;
+      if (meet(widened(base, widened(base, touched)), taken)) continue;
       return {site, std::move(touched)};
     }
     FAIL("no place for another edit");
@@ -95,7 +93,7 @@ struct Places {
       Edited edited(soup);
       if (!edited.apply(base, site)) continue;
       const std::vector<bool> touched = edited.touched(base);
-      if (meet(touched, some) && !meet(widened(base, touched), taken)) return site;
+      if (meet(touched, some) && !meet(widened(base, widened(base, touched)), taken)) return site;
     }
     return std::nullopt;
   }
@@ -155,6 +153,12 @@ TEST_CASE("merge: where edits meet, OUT holds the preferred side, and all other 
     const MeshFile ours = renumbered_file(edited_at(base.mesh, soup, {a, c}), seed);
     const MeshFile theirs = bare(edited_at(base.mesh, soup, {*b, d}));
     const Merged with_ours = merged(base, ours, theirs);
+    if (with_ours.report.clean()) {
+      // A twisted ring is joined anew at one of its ends only, so twists of rings side by side can both be made.
+      CHECK((a.kind == EditKind::Twist && b->kind == EditKind::Twist));
+      CHECK(is_same(with_ours.file.mesh, build(edited_at(base.mesh, soup, {a, *b, c, d}))));
+      continue;
+    }
     CHECK(with_ours.report.areas.size() >= 1);
     CHECK(is_same(with_ours.file.mesh, build(edited_at(base.mesh, soup, {a, c, d}))));
     const Merged with_theirs = merged(base, ours, theirs, Side::Theirs);
