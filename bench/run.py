@@ -14,6 +14,8 @@ from parts import (ablation, diff, edited, invariance, memory, multi, pairs, plo
                    transfer, unrelated)
 from parts import (ablation, edited, invariance, memory, multi, pairs, plots, posed, quality, regions, skeleton, speed,
                    symmetry, transfer, unrelated)
+from parts import (ablation, edited, invariance, memory, merge, multi, pairs, plots, posed, quality, regions, skeleton,
+                   speed, transfer, unrelated)
 from parts.common import ROOT, bar_table, parse
 from parts.tried import tried
 
@@ -22,6 +24,7 @@ PARTS = {"speed": speed, "edited": edited, "memory": memory, "skeleton": skeleto
          "ablation": ablation, "pairs": pairs, "posed": posed, "multi": multi, "unrelated": unrelated, "transfer": transfer,
          "diff": diff, "invariance": invariance}
          "symmetry": symmetry, "invariance": invariance}
+         "merge": merge, "invariance": invariance}
 WITHOUT_COLLECTION = ("speed", "memory", "skeleton")
 
 

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <quadmatch/analysis/isomorphism.hpp>
@@ -145,13 +146,14 @@ TEST_CASE("merge: where edits meet in a posed mesh, the preferred side's faces a
   CHECK(result.report.areas.size() == 1);
   const Mesh expected = build(truth->soup);
   REQUIRE(result.file.mesh.vertex_count() == expected.vertex_count());
-  double worst = 0;
+  double worst = 0, left_behind = 0;
   for (std::uint32_t v = 0; v < expected.vertex_count(); ++v) {
     for (std::size_t k = 0; k < 3; ++k) {
       worst = std::max(worst, std::abs(expected.positions()[v][k] - result.file.mesh.positions()[v][k]));
+      left_behind = std::max(left_behind, std::abs(expected.positions()[v][k] - ours->soup.positions[v][k]));
     }
   }
-  CHECK(worst < 0.01);
+  CHECK(worst < 0.1 * left_behind);
 }
 
 TEST_CASE("merge: texture coordinates, groups and materials come from the side that changed them") {
@@ -266,7 +268,7 @@ TEST_CASE("merge: a doubtful part is named where the other side changed somethin
     scrambled.positions[v] = {1.0 / v, (v % 5) * 3.0, (v % 3) * 2.0};
   }
   const MeshFile ours = bare(shapes::renumbered(scrambled, 2).soup);
-  const auto cut = shapes::delete_patch(all, FaceId(all.corners.size() / 4 - 1), 1);
+  const auto cut = shapes::delete_patch(all, FaceId(base.mesh.face_count() - 1), 1);
   const auto away = shapes::delete_patch(all, FaceId(500), 8);
   REQUIRE((cut.has_value() && away.has_value()));
   CHECK(merged(base, ours, bare(away->soup)).report.doubtful.empty());
