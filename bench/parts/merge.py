@@ -157,7 +157,7 @@ def disjoint_pair(job):
             break
         except LookupError:
             continue
-    row = {"mesh": name_of(mesh), "seed": seed, "ours": one[0], "theirs": another[0]}
+    row = {"mesh": name_of(mesh), "seed": seed, "edits": [one[0], another[0]]}
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         write(folder / "base.obj", tool("edit_mesh").EditableMesh(positions, faces, None))
@@ -187,7 +187,7 @@ def overlapping_pair(job):
             break
         except LookupError:
             continue
-    row = {"mesh": name_of(mesh), "seed": seed, "ours": [a[0], c[0]], "theirs": [b[0], d[0]]}
+    row = {"mesh": name_of(mesh), "seed": seed, "edits": [a[0], b[0]], "elsewhere": [c[0], d[0]]}
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         write(folder / "base.obj", tool("edit_mesh").EditableMesh(positions, faces, None))
@@ -277,9 +277,9 @@ def page(options):
         return []
     lines = []
     for edit in EDITS:
-        rows = [row for row in figures["disjoint"] if edit in (row["ours"], row["theirs"])]
+        rows = [row for row in figures["disjoint"] if edit in row["edits"]]
         counts = [sum(row[kind]["clean"] and row[kind]["same"] for row in rows) for kind in ("as they are", "renumbered")]
-        met = [row for row in figures["overlapping"] if edit in (row["ours"][0], row["theirs"][0])]
+        met = [row for row in figures["overlapping"] if edit in row["edits"]]
         lines.append([edit, len(rows), *counts, len(met), sum(row["ours"]["conflict"] and row["theirs"]["conflict"] for row in met),
                       sum(row["ours"]["same"] and row["theirs"]["same"] for row in met)])
     return ["\n## Merge\n",

@@ -118,6 +118,14 @@ Outcome Folder::make_shape(const std::vector<std::string>& arguments) const {
   return run_program(QUADMATCH_MAKE_SHAPE, folder_, arguments, {});
 }
 
+Outcome Folder::shell(const std::string& script) const {
+  const std::string settings =
+      std::string("export QUADMATCH='") + QUADMATCH_PROGRAM +
+      "' HOME=/nonexistent GIT_CONFIG_NOSYSTEM=1 GIT_CONFIG_GLOBAL=/dev/null\n"
+      "export GIT_AUTHOR_NAME=a GIT_AUTHOR_EMAIL=a@b GIT_COMMITTER_NAME=a GIT_COMMITTER_EMAIL=a@b\n";
+  return run_program("/bin/sh", folder_, {"-c", settings + script}, {});
+}
+
 std::string obj_of(const PolygonSoup& soup) {
   Expected<Mesh> mesh = Mesh::build(soup);
   REQUIRE(mesh.has_value());

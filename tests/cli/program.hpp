@@ -40,6 +40,8 @@ class Folder {
   Outcome edit_mesh(const std::vector<std::string>& arguments) const;
   /// Run make_shape here.
   Outcome make_shape(const std::vector<std::string>& arguments) const;
+  /// Run a script here, with quadmatch as `$QUADMATCH`; nothing of the user's settings reaches git.
+  Outcome shell(const std::string& script) const;
 
  private:
   std::filesystem::path folder_;
