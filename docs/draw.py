@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draw the pictures of README.md and docs/how-it-works.md into docs/images/: the same bytes every time.
+"""Draw the pictures of README.md, docs/how-it-works.md and docs/merge.md into docs/images/: the same bytes every time.
 
 usage: docs/draw.py [--build FOLDER]
 
@@ -13,8 +13,9 @@ import tempfile
 import matplotlib
 import numpy
 
-from picture import (AGREES, ANCHOR, EXAMPLES, NODE, ON_LINE, PLAIN, REGIONS, ROOT, UNMATCHED, Mesh, Picture, Programs,
-                     chequered, ends_of, panels, region_colours, save, valences, view)
+from picture import (ADDED_BY_OURS, ADDED_BY_THEIRS, AGREES, ANCHOR, EXAMPLES, NODE, ON_LINE, PLAIN, REGIONS,
+                     ROOT, UNMATCHED, Mesh, Picture, Programs, chequered, ends_of, panels, region_colours,
+                     save, valences, view)
 
 IMAGES = ROOT / "docs" / "images"
 
@@ -146,7 +147,26 @@ def draw_transfer(programs):
     save(figure, IMAGES / "transfer.png")
 
 
-PICTURES = [draw_symmetry, draw_transfer, draw_bears, draw_skeletons, draw_waves, draw_regions, draw_seam]
+def draw_merge(programs):
+    """Two edits of the bear and their merge: what OURS added in blue, what THEIRS added in orange."""
+    base = EXAMPLES / "bear.obj"
+    ours = programs.edited(base, 2, "extrude:24").rename(programs.folder / "mine.obj")
+    theirs = programs.edited(base, 4, "loop:1", "renumber").rename(programs.folder / "yours.obj")
+    merged = programs.folder / "merged.obj"
+    origins = programs.merge(base, ours, theirs, merged)["origins"]
+    figure, all_three = panels(3, 9, 3.6)
+    for side, (panel, path) in enumerate(zip(all_three, (ours, theirs, merged)), start=1):
+        added = {}
+        for face, (before, mine, yours) in enumerate(origins):
+            if before is None:
+                added[face if side == 3 else (None, mine, yours)[side]] = ADDED_BY_OURS if yours is None else ADDED_BY_THEIRS
+        picture = Picture(Mesh(path), view(-25, 12))
+        picture.add_faces(lambda face, added=added: added.get(face, PLAIN))
+        picture.paint(panel, path.name)
+    save(figure, IMAGES / "merge.png")
+
+
+PICTURES = [draw_symmetry, draw_transfer, draw_bears, draw_skeletons, draw_waves, draw_regions, draw_seam, draw_merge]
 
 
 def main():

@@ -26,6 +26,8 @@ NODE = (0.95, 0.6, 0.1)
 AGREES = (0.35, 0.7, 0.3)
 ANCHOR = (0.84, 0.15, 0.16)
 ON_LINE = (0.55, 0.8, 0.6)
+ADDED_BY_OURS = (0.3, 0.55, 0.85)
+ADDED_BY_THEIRS = (0.95, 0.6, 0.2)
 INK = (0.1, 0.1, 0.12)
 EDGE = (0.35, 0.35, 0.35, 0.45)
 LIGHT = numpy.array([0.35, 0.5, 0.8])
@@ -126,6 +128,11 @@ class Programs:
         path = self.folder / "transferred.obj"
         self.run("quadmatch", "transfer", source, target, "-o", path, "--quiet", *more, statuses=(0, 1))
         return path
+
+    def merge(self, base, ours, theirs, output):
+        """Writes the merge; the figures, with where each of its faces comes from."""
+        command = [self.build / "quadmatch", "merge", base, ours, theirs, "-o", output, "--json", "--origins", "--quiet"]
+        return json.loads(subprocess.run(command, check=True, cwd=ROOT, capture_output=True).stdout)
 
     def skeleton(self, mesh, *more):
         path = self.folder / "lines.obj"

@@ -1,5 +1,6 @@
 #include "merge_cells.hpp"
 
+#include <quadmatch/mesh/disjoint_sets.hpp>
 #include <quadmatch/mesh/per_element.hpp>
 
 namespace quadmatch::use {
@@ -53,6 +54,7 @@ class BothSides {
       if (base_of_ours_[HalfedgeId(h)].valid() && theirs_of_[HalfedgeId(h)].valid()) step_across(HalfedgeId(h));
     }
     for (std::size_t k = 0; k < reached_.size(); ++k) step_across(reached_[k]);
+    give_up_parts();
     return std::move(theirs_of_);
   }
 
@@ -72,6 +74,36 @@ class BothSides {
       reached_.push_back(here);
       here = ours_.next(here);
       there = theirs_.next(there);
+    }
+  }
+
+  /// New faces that hang together are the same as a whole or not at all: walls and loops can begin alike.
+  void give_up_parts() {
+    if (reached_.empty()) return;
+    DisjointSets sets(ours_.face_count() + theirs_.face_count());
+    const auto name = [&](FaceId in_theirs) { return ours_.face_count() + in_theirs.value; };
+    join_new(ours_, base_of_ours_, 0, sets);
+    join_new(theirs_, base_of_theirs_, ours_.face_count(), sets);
+    for (const HalfedgeId h : reached_) sets.join(ours_.face(h).value, name(theirs_.face(theirs_of_[h])));
+    std::vector<std::uint8_t> in_part(ours_.face_count() + theirs_.face_count(), 0);
+    for (std::uint32_t f = 0; f < ours_.face_count(); ++f) {
+      const HalfedgeId h = ours_.first(FaceId(f));
+      if (!base_of_ours_[h].valid() && !theirs_of_[h].valid()) in_part[sets.find(f)] = 1;
+    }
+    for (std::uint32_t f = 0; f < theirs_.face_count(); ++f) {
+      const HalfedgeId h = theirs_.first(FaceId(f));
+      if (!base_of_theirs_[h].valid() && taken_[h] == 0) in_part[sets.find(name(FaceId(f)))] = 1;
+    }
+    for (const HalfedgeId h : reached_) {
+      if (in_part[sets.find(ours_.face(h).value)] != 0) theirs_of_[h] = HalfedgeId();
+    }
+  }
+
+  static void join_new(const Mesh& mesh, const Corners& base_of, std::uint32_t first, DisjointSets& sets) {
+    for (std::uint32_t k = 0; k < mesh.halfedge_count(); ++k) {
+      const HalfedgeId h(k), beyond = mesh.twin(h);
+      if (!beyond.valid() || base_of[h].valid() || base_of[beyond].valid()) continue;
+      sets.join(first + mesh.face(h).value, first + mesh.face(beyond).value);
     }
   }
 

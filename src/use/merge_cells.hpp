@@ -29,8 +29,8 @@ struct Cells {
 };
 
 /// Lay the sides on the base by sound matches, and what is new on both sides on each other: from edges that all three
-/// have, face by face as far as they go the same way. Nothing hangs on how far that is: what is laid on each other and
-/// joined in another way is a conflict.
+/// have, face by face, where new faces that hang together are the same as a whole. Nothing hangs on it that they are:
+/// what is laid on each other and joined in another way is a conflict.
 [[nodiscard]] Cells lay_cells(const ThreeMeshes& meshes, const Match& to_ours, const Match& to_theirs);
 
 }  // namespace quadmatch::use

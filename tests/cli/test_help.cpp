@@ -11,7 +11,7 @@ using namespace quadmatch::test;
 
 namespace {
 
-const std::vector<std::string> kVerbs{"match", "transfer", "verify", "check", "diff", "skeleton"};
+const std::vector<std::string> kVerbs{"match", "transfer", "merge", "verify", "check", "diff", "skeleton"};
 
 std::size_t longest_line(const std::string& text) {
   std::size_t longest = 0;
@@ -40,7 +40,8 @@ TEST_CASE("the help of every verb has a usage line, options, examples and exit s
     const Outcome help = folder.run({verb, "--help"});
     CHECK(help.status == 0);
     CHECK(help.err.empty());
-    CHECK(contains(help.out, "Usage: quadmatch " + verb + " [OPTIONS] A"));
+    CHECK(
+        contains(help.out, "Usage: quadmatch " + verb + " [OPTIONS] " + (verb == "merge" ? "BASE OURS THEIRS" : "A")));
     CHECK(contains(help.out, "\n  --json "));
     CHECK(contains(help.out, "\n  --quiet "));
     CHECK(contains(help.out, "\nExamples:\n  quadmatch " + verb + " "));
