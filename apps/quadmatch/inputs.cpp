@@ -45,7 +45,7 @@ std::optional<InputPair> read_inputs(const std::string& source, const std::strin
   return InputPair{*std::move(first), *std::move(second)};
 }
 
-bool paths_fit(const std::vector<std::string>& inputs, const std::string& output) {
+bool paths_fit(const std::vector<std::string>& inputs, const std::string& output, const char* option) {
   if (std::count(inputs.begin(), inputs.end(), "-") > 1) {
     complain("standard input (-) can be read only once; write one of the meshes to a file");
     return false;
@@ -54,7 +54,7 @@ bool paths_fit(const std::vector<std::string>& inputs, const std::string& output
   for (const std::string& input : inputs) {
     std::error_code missing;  // then it is not the same file
     if (input == "-" || !std::filesystem::equivalent(input, output, missing)) continue;
-    complain(fmt::format("{}: this is an input and would be overwritten; choose another name for -o", output));
+    complain(fmt::format("{}: this is an input and would be overwritten; choose another name for {}", output, option));
     return false;
   }
   return true;

@@ -24,8 +24,9 @@ struct InputPair {
                                                    std::uint32_t threads);
 
 /// May these be read and that be written in one run? Complains where standard input would be read twice, or where the
-/// output (empty: none) is one of the inputs.
-[[nodiscard]] bool paths_fit(const std::vector<std::string>& inputs, const std::string& output);
+/// output (empty: none) is one of the inputs. @param option  what names the output.
+[[nodiscard]] bool paths_fit(const std::vector<std::string>& inputs, const std::string& output,
+                             const char* option = "-o");
 
 /// "a.obj", or "standard input" for `-`.
 [[nodiscard]] std::string display_name(const std::string& path);

@@ -8,12 +8,14 @@
 
 #include <quadmatch/io/match_file.hpp>
 #include <quadmatch/match/matcher.hpp>
+#include <quadmatch/report/report.hpp>
 #include <quadmatch/verify/verify.hpp>
 
 #include "anchor_option.hpp"
 #include "command.hpp"
 #include "console.hpp"
 #include "dirt.hpp"
+#include "html_report.hpp"
 #include "inputs.hpp"
 #include "match_report.hpp"
 #include "text.hpp"
@@ -23,7 +25,7 @@ namespace {
 
 constexpr const char* kFooter = R"(The match file lists, for each matched face of A, the face of B and how it is turned,
 and for each vertex its partner. Without -o it goes to standard output and the summary
-to standard error; with --json and no -o, only the figures are printed.
+to standard error; with --json or --report and no -o, there is no match file.
 
 An anchor is a place you know to be the same; growth starts there. Count from 0:
   --anchor 12:0=90:1    corner 0 of face 12 lies on corner 1 of face 90
@@ -36,6 +38,7 @@ Examples:
   quadmatch match left_shoe.obj right_shoe.obj -o shoes.json --orientation reversing
   quadmatch match a.ply b.usda --json | jq .matched_faces
   quadmatch match patch.obj edited.obj -o best.json --algorithm exact --time-limit 10
+  quadmatch match a.obj b.obj -o m.json --report m.html    then open m.html in a browser
 
 The problem is NP-hard, yet --algorithm exact finds the largest region there is and proves it
 for patches of a few hundred faces and for small whole meshes after small edits, mostly within
@@ -67,6 +70,7 @@ CLI::Validator one_of(const std::map<std::string, Choice>& choices) {
 struct MatchArguments {
   std::string source, target;
   std::string output;
+  std::string page;  // of the HTML report, empty: none
   std::string algorithm = "regions";
   std::string orientation = "auto";
   std::vector<std::string> anchors;
@@ -94,7 +98,7 @@ MatchOptions options_of(const MatchArguments& arguments, Progress& progress) {
   for (const std::string& stage : arguments.without) options.stages.*kStages.at(stage) = false;
   options.least_confidence = arguments.least_confidence;
   options.least_region = arguments.least_region;
-  options.waves = arguments.waves;
+  options.waves = arguments.waves || !arguments.page.empty();  // a report replays them
   options.at_least = arguments.at_least;
   if (!progress.visible() && arguments.time_limit == 0) return options;
   using Clock = std::chrono::steady_clock;
@@ -178,15 +182,6 @@ bool is_sound(const MeshFile& source, const MeshFile& target, const Match& match
   return false;
 }
 
-/// Figures go to standard output, and a summary wherever the match file does not.
-bool tell(const MatchArguments& arguments, const MatchReport& report) {
-  if (arguments.json) return print(as_json(report));
-  if (arguments.quiet) return true;
-  if (!report.output.empty()) return print(as_text(report));
-  fmt::print(stderr, "{}", as_text(report));
-  return true;
-}
-
 void warn_of_dirt(const MeshFile& file) {
   const std::string dirt = describe_dirt(file.mesh, "matching");
   if (!dirt.empty()) warn(fmt::format("{}: {}", display_name(file.path), dirt));
@@ -206,9 +201,57 @@ int status_of(const MatchReport& report) {
   }
 }
 
+/// Where the match file goes: a file, - for standard output, or nowhere where only figures or a page were asked for.
+std::string match_output(const MatchArguments& arguments) {
+  if (!arguments.output.empty()) return arguments.output;
+  return arguments.json || !arguments.page.empty() ? "" : "-";
+}
+
+/// Figures go to standard output, and a summary wherever the match file does not.
+bool tell(const MatchArguments& arguments, const MatchReport& report) {
+  if (arguments.json) return print(as_json(report));
+  if (arguments.quiet) return true;
+  if (match_output(arguments) != "-") return print(as_text(report));
+  fmt::print(stderr, "{}", as_text(report));
+  return true;
+}
+
+bool write_page(const MatchArguments& arguments, const InputPair& inputs, const Match& match,
+                const MatchReport& report) {
+  const ReportText text{.title = report_title(arguments.source, arguments.target),
+                        .program = "quadmatch " QUADMATCH_VERSION,
+                        .figures = figures_of(report),
+                        .changes = unmatched_areas(inputs.source.mesh, inputs.target.mesh, match)};
+  const Expected<void> written = write_report(arguments.page, inputs.source, inputs.target, match, text);
+  if (!written) complain(written.error());
+  return written.has_value();
+}
+
+/// The page and the match file, as far as they were asked for; both are named in the report.
+bool write_outputs(const MatchArguments& arguments, const InputPair& inputs, MatchResult& result, MatchReport& report) {
+  if (!arguments.page.empty()) {
+    if (!write_page(arguments, inputs, result.match, report)) return false;
+    report.page = arguments.page;
+  }
+  const std::string output = match_output(arguments);
+  if (output.empty()) return true;
+  if (!arguments.waves) {
+    for (Region& region : result.match.regions) region.waves.clear();  // kept for the page alone
+  }
+  const MatchFile file{side_of(inputs.source), side_of(inputs.target), std::move(result.match), report.settings,
+                       result.optimality};
+  const Expected<void> written = write_match(output, file);
+  if (!written) complain(written.error());
+  if (output != "-") report.output = output;
+  return written.has_value();
+}
+
 int run_match(const MatchArguments& arguments) {
   if (!exact_options_fit(arguments)) return kTrouble;
-  if (!paths_fit({arguments.source, arguments.target}, arguments.output)) return kTrouble;
+  if (!paths_fit({arguments.source, arguments.target}, arguments.output) ||
+      !report_fits(arguments.page, {arguments.source, arguments.target}, arguments.output)) {
+    return kTrouble;
+  }
   if (arguments.json && arguments.output == "-") {
     complain("--json and -o - would mix figures and match file on standard output; write the match to a file");
     return kTrouble;
@@ -245,13 +288,7 @@ int run_match(const MatchArguments& arguments) {
   report.target.path = arguments.target;
   report.settings = settings_of(arguments);
   stopwatch.lap();
-  if (const bool figures_only = arguments.json && arguments.output.empty(); !figures_only) {
-    const std::string output = arguments.output.empty() ? "-" : arguments.output;
-    const MatchFile file{side_of(*source), side_of(*target), std::move(result->match), report.settings,
-                         result->optimality};
-    if (Expected<void> written = write_match(output, file); !written) return complain(written.error());
-    if (output != "-") report.output = output;
-  }
+  if (!write_outputs(arguments, *inputs, *result, report)) return kTrouble;
   times.writing = stopwatch.lap();
   report.times = times;
   if (!tell(arguments, report)) return kTrouble;
@@ -269,6 +306,7 @@ void add_match_command(CLI::App& program, Action& chosen) {
   verb->add_option("B", arguments->target, "Target mesh")->required()->type_name("FILE");
   verb->add_option("-o,--output", arguments->output, "Match file to write (JSON); - or none: standard output")
       ->type_name("FILE");
+  add_report_option(*verb, arguments->page);
   verb->add_option(
           "--algorithm", arguments->algorithm,
           "regions: many anchors, many regions, belief by evidence. The paper's, of one region: lazy-greedy, the "

@@ -77,16 +77,16 @@ std::string describe(const RegionReport& region) {
 }
 
 /// The largest regions, a line each, and the rest in one.
-void add_regions(Lines& lines, const std::vector<RegionReport>& regions) {
+void add_regions(std::vector<ReportFigure>& figures, const std::vector<RegionReport>& regions) {
   constexpr std::size_t kMostLines = 6;
   const std::size_t shown = regions.size() <= kMostLines + 1 ? regions.size() : kMostLines;
-  for (std::size_t k = 0; k < shown; ++k) lines.add("region", describe(regions[k]));
+  for (std::size_t k = 0; k < shown; ++k) figures.push_back({"region", describe(regions[k])});
   if (shown == regions.size()) return;
   std::uint64_t faces = 0;
   for (std::size_t k = shown; k < regions.size(); ++k) faces += regions[k].faces;
-  lines.add("",
-            fmt::format("and {} more of {} to {}, {} in all", regions.size() - shown,
-                        counted(regions.back().faces, "face"), grouped(regions[shown].faces), counted(faces, "face")));
+  figures.push_back(
+      {"", fmt::format("and {} more of {} to {}, {} in all", regions.size() - shown,
+                       counted(regions.back().faces, "face"), grouped(regions[shown].faces), counted(faces, "face"))});
 }
 
 /// What a modeller should look at before data is carried over.
@@ -214,23 +214,33 @@ MatchReport report_match(const Mesh& source, const Mesh& target, const MatchResu
   return report;
 }
 
+std::vector<ReportFigure> figures_of(const MatchReport& report) {
+  std::vector<ReportFigure> figures;
+  const auto add = [&figures](std::string name, std::string text) {
+    figures.push_back({std::move(name), std::move(text)});
+  };
+  add("source", describe(report.source));
+  add("target", describe(report.target));
+  add("matched", report.regions.empty() ? "nothing"
+                                        : fmt::format("{}, {}", counted(report.matched_faces(), "face"),
+                                                      counted(report.matched_vertices, "vertex", "vertices")));
+  add_regions(figures, report.regions);
+  if (std::string doubts = doubts_of(report); !doubts.empty()) add("doubtful", std::move(doubts));
+  if (report.optimality) {
+    add("largest", describe(*report.optimality, report.matched_faces()));
+    if (report.optimality->decision != Decision::NotAsked) add("answer", answer(*report.optimality));
+  }
+  if (report.seed) add("anchor", describe(*report.seed));
+  return figures;
+}
+
 std::string as_text(const MatchReport& report) {
   Lines lines;
-  lines.add("source", describe(report.source));
-  lines.add("target", describe(report.target));
-  lines.add("matched", report.regions.empty() ? "nothing"
-                                              : fmt::format("{}, {}", counted(report.matched_faces(), "face"),
-                                                            counted(report.matched_vertices, "vertex", "vertices")));
-  add_regions(lines, report.regions);
-  if (const std::string doubts = doubts_of(report); !doubts.empty()) lines.add("doubtful", doubts);
-  if (report.optimality) {
-    lines.add("largest", describe(*report.optimality, report.matched_faces()));
-    if (report.optimality->decision != Decision::NotAsked) lines.add("answer", answer(*report.optimality));
-  }
-  if (report.seed) lines.add("anchor", describe(*report.seed));
+  for (ReportFigure& figure : figures_of(report)) lines.add(std::move(figure.name), std::move(figure.text));
   lines.add("time", fmt::format("reading {}, matching {}, verifying {}", duration(report.times.reading),
                                 duration(report.times.matching), duration(report.times.verifying)));
   if (!report.output.empty()) lines.add("written", report.output);
+  if (!report.page.empty()) lines.add(report.output.empty() ? "written" : "", report.page);
   return lines.render();
 }
 
@@ -253,7 +263,8 @@ std::string as_json(const MatchReport& report) {
                       {"matching", rounded(report.times.matching)},
                       {"verifying", rounded(report.times.verifying)},
                       {"writing", rounded(report.times.writing)}}},
-                    {"output", report.output.empty() ? Json(nullptr) : Json(report.output)}});
+                    {"output", report.output.empty() ? Json(nullptr) : Json(report.output)},
+                    {"report", report.page.empty() ? Json(nullptr) : Json(report.page)}});
 }
 
 }  // namespace quadmatch::cli

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <quadmatch/match/matcher.hpp>
+#include <quadmatch/report/report.hpp>
 
 namespace quadmatch::cli {
 
@@ -54,6 +55,7 @@ struct MatchReport {
   std::optional<Optimality> optimality;
   Times times;
   std::string output;  ///< where the match file was written; empty: nowhere
+  std::string page;    ///< where the HTML report was written; empty: nowhere
 
   [[nodiscard]] std::uint32_t matched_faces() const { return source.matched_faces; }
   /// Those of regions that are ambiguous.
@@ -64,6 +66,8 @@ struct MatchReport {
 [[nodiscard]] MatchReport report_match(const Mesh& source, const Mesh& target, const MatchResult& result,
                                        bool anchors_given);
 
+/// What the summary says, line by line, but for times and files.
+[[nodiscard]] std::vector<ReportFigure> figures_of(const MatchReport& report);
 [[nodiscard]] std::string as_text(const MatchReport& report);
 [[nodiscard]] std::string as_json(const MatchReport& report);
 

@@ -20,5 +20,6 @@
 #include <quadmatch/use/diff.hpp>
 #include <quadmatch/use/symmetry.hpp>
 #include <quadmatch/use/merge.hpp>
+#include <quadmatch/report/report.hpp>
 #include <quadmatch/use/transfer.hpp>
 #include <quadmatch/verify/verify.hpp>

@@ -1,0 +1,51 @@
+#include "html_report.hpp"
+
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "console.hpp"
+#include "inputs.hpp"
+
+namespace quadmatch::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Do two names lead to one file, whether it is there yet or not?
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code failure;  // then the names differ, or writing will say what is wrong
+  return fs::weakly_canonical(a, failure) == fs::weakly_canonical(b, failure) && !failure;
+}
+
+}  // namespace
+
+void add_report_option(CLI::App& verb, std::string& page) {
+  verb.add_option("--report", page,
+                  "HTML file to write: both meshes to turn and point at, the growth wave by wave, figures and a list "
+                  "of what differs; opens from disk and loads nothing")
+      ->type_name("FILE");
+}
+
+bool report_fits(const std::string& page, const std::vector<std::string>& inputs, const std::string& output) {
+  if (page.empty()) return true;
+  if (page == "-") {
+    complain("--report needs the name of a file, such as report.html; - is for standard output, which has the figures");
+    return false;
+  }
+  if (!output.empty() && output != "-" && same_file(page, output)) {
+    complain(fmt::format("{}: -o and --report name the same file; choose another name for one of them", page));
+    return false;
+  }
+  return paths_fit(inputs, page, "--report");
+}
+
+std::string report_title(const std::string& source, const std::string& target) {
+  const auto name = [](const std::string& path) {
+    return path == "-" ? display_name(path) : fs::path(path).filename().string();
+  };
+  return fmt::format("{} and {}", name(source), name(target));
+}
+
+}  // namespace quadmatch::cli
