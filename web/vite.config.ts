@@ -1,9 +1,10 @@
 // The viewer as one HTML file: script and style stand in it, nothing is loaded.
-import { defineConfig } from "vite";
+import { defineConfig } from "vitest/config";
 import { viteSingleFile } from "vite-plugin-singlefile";
 
 export default defineConfig({
   base: "./",
+  test: { include: ["tests/*.test.ts"] },
   plugins: [viteSingleFile({ removeViteModuleLoader: true })],
   esbuild: { charset: "ascii", legalComments: "none" },
   build: {

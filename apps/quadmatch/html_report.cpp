@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 /// Do two names lead to one file, whether it is there yet or not?
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code failure;  // then the names differ, or writing will say what is wrong
-  return fs::weakly_canonical(a, failure) == fs::weakly_canonical(b, failure) && !failure;
+  return fs::weakly_canonical(fs::absolute(a), failure) == fs::weakly_canonical(fs::absolute(b), failure) && !failure;
 }
 
 }  // namespace

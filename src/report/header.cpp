@@ -19,9 +19,16 @@ const char* to_string(Precision precision) {
 }
 
 Json mesh_json(const MeshHeader& mesh) {
-  return {{"path", mesh.path},       {"vertices", mesh.vertices},   {"faces", mesh.faces},
-          {"corners", mesh.corners}, {"all_quads", mesh.all_quads}, {"positions", to_string(mesh.precision)},
-          {"low", mesh.low},         {"step", mesh.step},           {"names", mesh.names}};
+  return {{"path", mesh.path},
+          {"vertices", mesh.vertices},
+          {"faces", mesh.faces},
+          {"corners", mesh.corners},
+          {"all_quads", mesh.all_quads},
+          {"positions", to_string(mesh.precision)},
+          {"corner_bits", mesh.corner_bits},
+          {"low", mesh.low},
+          {"step", mesh.step},
+          {"names", mesh.names}};
 }
 
 Json region_json(const Region& region) {

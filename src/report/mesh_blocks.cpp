@@ -1,6 +1,7 @@
 #include "mesh_blocks.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -76,14 +77,23 @@ Packer sizes_of(const Mesh& mesh) {
   return packer;
 }
 
-Packer corners_of(const Mesh& mesh) {
-  Packer packer;
+/// As steps from one to the next, which are short where a file goes on where it was; in files of random order, where
+/// they are not, as so many bits each.
+Packer corners_of(const Mesh& mesh, MeshHeader& header) {
+  Packer steps;
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(mesh.corners().size());
   std::uint32_t before = 0;
   for (const VertexId corner : mesh.corners()) {
-    packer.add_step(before, corner.value);
-    before = corner.value;
+    steps.add_step(before, corner.value);
+    numbers.push_back(before = corner.value);
   }
-  return packer;
+  const auto width = static_cast<std::uint32_t>(std::bit_width(mesh.vertex_count() | 1U));
+  if (steps.bytes().size() <= numbers.size() * width / 8) return steps;
+  header.corner_bits = width;
+  Packer packed;
+  packed.add_packed(numbers, width);
+  return packed;
 }
 
 /// A bit for each half-edge: is it the one that names an edge of the skeleton?
@@ -183,7 +193,7 @@ MeshHeader add_mesh(Blocks& blocks, const std::string& side, const MeshFile& fil
   const Tracing tracing = trace_skeleton(mesh, codes);
   blocks.add(side + ".positions", positions_of(mesh, header));
   blocks.add(side + ".sizes", sizes_of(mesh));
-  blocks.add(side + ".corners", corners_of(mesh));
+  blocks.add(side + ".corners", corners_of(mesh, header));
   blocks.add(side + ".skeleton", lines_of(mesh, tracing.separatrices));
   blocks.add(side + ".extraordinary", extraordinary_of(mesh, codes));
   blocks.add(side + ".crossings", crossings_of(mesh, tracing.skeleton, codes));

@@ -26,6 +26,8 @@ struct MeshHeader {
   std::uint32_t corners = 0;
   bool all_quads = true;
   Precision precision = Precision::None;
+  /// Bits of each corner, 0 where corners are steps.
+  std::uint32_t corner_bits = 0;
   /// Lowest corner of the box, and the length of a step of the grid.
   std::array<double, 3> low = {};
   double step = 0;

@@ -33,6 +33,16 @@ void Packer::add_bits(const std::vector<bool>& bits) {
   }
 }
 
+void Packer::add_packed(const std::vector<std::uint32_t>& numbers, std::uint32_t width) {
+  std::uint64_t held = 0;
+  std::uint32_t bits = 0;
+  for (const std::uint32_t number : numbers) {
+    held |= std::uint64_t{number} << bits;
+    for (bits += width; bits >= 8; bits -= 8, held >>= 8U) add_byte(held);
+  }
+  if (bits > 0) add_byte(held);
+}
+
 void Packer::add_list(const std::vector<std::uint32_t>& numbers) {
   add(numbers.size());
   std::uint32_t before = 0;

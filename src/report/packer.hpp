@@ -20,6 +20,8 @@ class Packer {
   void add_float32(float number);
   /// Eight a byte, the first lowest, filled up with zeros.
   void add_bits(const std::vector<bool>& bits);
+  /// Each in `width` bits, the lowest first, without gaps, filled up with zeros. @pre width is 1 ... 32
+  void add_packed(const std::vector<std::uint32_t>& numbers, std::uint32_t width);
   /// How many, then each as the step from the one before; the first from 0.
   void add_list(const std::vector<std::uint32_t>& numbers);
 

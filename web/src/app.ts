@@ -44,7 +44,8 @@ export class App {
       this.painting.wave = wave;
       this.repaint();
     });
-    root.append(this.header(), element("main", {}, element("div", { class: "left" }, this.stage, this.replay.element, this.said, this.pinned), this.aside()));
+    const left = element("div", { class: "left" }, this.stage, this.replay.element, this.said);
+    root.append(this.header(), element("main", {}, left, this.aside()));
     this.startPicture();
     this.applyBackground();
     this.repaint();
@@ -60,6 +61,7 @@ export class App {
     const at = this.pins.findIndex(isSame);
     if (at >= 0) this.pins.splice(at, 1);
     else this.pins.push({ side, face });
+    this.said.textContent = describeFace(this.report, side, face);
     this.showPins();
   }
 
@@ -108,7 +110,7 @@ export class App {
     const section = (title: string, ...parts: Node[]) => element("section", {}, element("h2", {}, title), ...parts);
     const aside = element("aside", { "aria-label": "Figures and lists" });
     aside.append(
-      section("Picture", controls, this.legendPlace, keyHelp()),
+      section("Picture", controls, this.legendPlace, keyHelp(), this.pinned),
       section("Figures", figureList(header)),
       section(`Changes: ${grouped(changes.length)}`, element("p", {}, countKinds(changes)), changeList(changes, (c) => this.flyToChange(c))),
       section(`Regions: ${grouped(header.regions.length)}`, regionList(header, (r) => this.flyToRegion(r))),
@@ -118,7 +120,7 @@ export class App {
 
   private makeView(side: SideName): HTMLElement {
     const { path, faceCount } = this.report.meshes[side];
-    const name = `${side}: ${path}, ${grouped(faceCount)} faces`;
+    const name = `${side}: ${path === "-" ? "standard input" : path}, ${grouped(faceCount)} faces`;
     const view = element("div", {
       class: "view",
       id: `view-${side}`,

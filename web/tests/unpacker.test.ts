@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { fromBase64, hasBit, Unpacker } from "../src/data/unpacker";
+import { fromBase64, hasBit, unpackBits, Unpacker } from "../src/data/unpacker";
 
 describe("numbers out of few bytes", () => {
   test("seven bits a byte, the lowest first, beyond 32 bits", () => {
@@ -23,6 +23,12 @@ describe("numbers out of few bytes", () => {
 
   test("data that end too early are said to, not read on", () => {
     expect(() => new Unpacker(Uint8Array.from([0x80])).number()).toThrow(/end too early/);
+  });
+
+  test("numbers of any width stand without gaps", () => {
+    expect([...unpackBits(Uint8Array.from([0b11010001, 0b1]), 3, 3)]).toEqual([1, 2, 7]);
+    expect([...unpackBits(Uint8Array.from([0xf1, 0xff, 0xff, 0xff, 0x1f, 0, 0, 0, 0]), 32, 2)]).toEqual([0xfffffff1, 0x1f]);
+    expect(() => unpackBits(new Uint8Array(1), 3, 3)).toThrow(/end too early/);
   });
 
   test("bits stand lowest first in their bytes", () => {

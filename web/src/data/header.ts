@@ -14,6 +14,8 @@ export interface MeshHeader {
   corners: number;
   all_quads: boolean;
   positions: "grid" | "float32" | "none";
+  /** Bits of each corner, 0 where corners are steps. */
+  corner_bits: number;
   low: [number, number, number];
   step: number;
   names: string[];

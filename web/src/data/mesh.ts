@@ -1,6 +1,6 @@
 /** One mesh of a report, unpacked: connectivity, positions and what is marked on it. */
 import type { MeshHeader, SideName } from "./header";
-import { Unpacker } from "./unpacker";
+import { unpackBits, Unpacker } from "./unpacker";
 
 /** A vertex that stands out (§2.1). */
 export interface Extraordinary {
@@ -57,6 +57,7 @@ function unpackStarts(header: MeshHeader, bytes: Uint8Array): Uint32Array {
 }
 
 function unpackCorners(header: MeshHeader, bytes: Uint8Array): Uint32Array {
+  if (header.corner_bits > 0) return unpackBits(bytes, header.corner_bits, header.corners);
   const corners = new Uint32Array(header.corners);
   const unpacker = new Unpacker(bytes);
   let before = 0;

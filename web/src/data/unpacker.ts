@@ -36,6 +36,23 @@ export class Unpacker {
   }
 }
 
+/** Numbers of `width` bits each, the lowest first, without gaps. */
+export function unpackBits(bytes: Uint8Array, width: number, count: number): Uint32Array {
+  if (bytes.length * 8 < count * width) throw new Error("the report's data end too early; make the report again");
+  const numbers = new Uint32Array(count);
+  let held = 0;
+  let bits = 0;
+  let at = 0;
+  for (let i = 0; i < count; ++i) {
+    // Below 2^40, so no bit of the sum is lost.
+    for (; bits < width; bits += 8) held += bytes[at++] * 2 ** bits;
+    numbers[i] = held % 2 ** width;
+    held = Math.floor(held / 2 ** width);
+    bits -= width;
+  }
+  return numbers;
+}
+
 export function hasBit(bits: Uint8Array, index: number): boolean {
   return (bits[index >> 3] & (1 << (index & 7))) !== 0;
 }

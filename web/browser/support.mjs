@@ -1,0 +1,91 @@
+/** The real program makes reports, and a real browser opens them from disk. */
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+export const ROOT = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
+export const EXAMPLES = join(ROOT, "examples");
+const BUILD = resolve(process.env.QUADMATCH_BUILD ?? join(ROOT, "build/release"));
+
+/** A folder that is gone when the tests are over. */
+export const folder = mkdtempSync(join(tmpdir(), "quadmatch-web-"));
+process.on("exit", () => rmSync(folder, { recursive: true, force: true }));
+
+export function run(program, ...words) {
+  const { status, stderr, error } = spawnSync(join(BUILD, program), words, { encoding: "utf8", cwd: folder });
+  if (error) throw error;
+  if (status > 1) throw new Error(`${program} ${words.join(" ")}: ${stderr}`);
+}
+
+let made = 0;
+/** Match two files: the report's path, and the match file with its waves. */
+export function report(source, target, ...more) {
+  const name = join(folder, `report-${++made}`);
+  run("quadmatch", "match", source, target, "-o", `${name}.json`, "--report", `${name}.html`, "--waves", "--quiet", ...more);
+  return { page: `${name}.html`, match: JSON.parse(readFileSync(`${name}.json`, "utf8")) };
+}
+
+export function launch() {
+  return chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+  });
+}
+
+/** Open a report; what goes wrong in it, or what it asks of the network, is kept in `page.troubles`. */
+export async function open(browser, path, options = {}) {
+  const { script, ...context } = options;
+  const page = await browser.newPage({ viewport: { width: 1200, height: 760 }, reducedMotion: "reduce", ...context });
+  page.troubles = [];
+  page.on("console", (message) => {
+    if (message.type() === "error") page.troubles.push(message.text());
+  });
+  page.on("pageerror", (error) => page.troubles.push(error.message));
+  page.on("dialog", (dialog) => {
+    page.troubles.push(`dialog: ${dialog.message()}`);
+    dialog.dismiss();
+  });
+  page.on("request", (request) => {
+    if (request.url() !== pathToFileURL(path).href && !/^(data|blob):/.test(request.url())) page.troubles.push(request.url());
+  });
+  if (script) await page.addInitScript(script);
+  await page.goto(pathToFileURL(path).href);
+  await page.waitForFunction(() => window.quadmatch !== undefined || document.querySelector("[role=alert]"));
+  return page;
+}
+
+/** Wait until all that was asked for is drawn. */
+export function drawn(page) {
+  return page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))));
+}
+
+/** The pixels of the page as it is, at some places: red, green, blue. */
+export async function pixels(browser, page, places) {
+  const shot = (await page.screenshot()).toString("base64");
+  const blank = await browser.newPage();
+  const found = await blank.evaluate(
+    async ([data, list]) => {
+      const picture = new Image();
+      picture.src = `data:image/png;base64,${data}`;
+      await picture.decode();
+      const canvas = document.createElement("canvas");
+      canvas.width = picture.width;
+      canvas.height = picture.height;
+      const context = canvas.getContext("2d");
+      context.drawImage(picture, 0, 0);
+      const { data: rgba } = context.getImageData(0, 0, canvas.width, canvas.height);
+      return list.map(([x, y]) => [...rgba.slice(4 * (y * canvas.width + x), 4 * (y * canvas.width + x) + 3)]);
+    },
+    [shot, places],
+  );
+  await blank.close();
+  return found;
+}
+
+/** The partner of each face of one side (0: source, 1: target). */
+export function partners(match, side) {
+  return new Map(match.regions.flatMap((region) => region.faces.map((pair) => [pair[side], pair[1 - side]])));
+}
