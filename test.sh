@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # On a fresh Debian 12: installs what is missing and runs all tests. usage: ./test.sh [--core]
-#   --core  only what needs small packages: no fuzzing, linting, WebAssembly or documentation
+#   --core  only what needs small packages: no fuzzing, linting, WebAssembly, browser or documentation
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -17,7 +17,7 @@ build() { cmake --preset "$1" > build/"$1".log || { cat build/"$1".log; exit 1; 
 mkdir -p build
 stage "install what is missing"
 scripts/install.sh core tests bench
-[ $core = yes ] || scripts/install.sh quality browser docs
+[ $core = yes ] || scripts/install.sh quality browser web docs
 
 if [ $core = no ]; then
   stage "format and habits"
@@ -44,6 +44,13 @@ if [ $core = no ]; then
   scripts/fuzz.sh 20
   stage "documentation"
   mkdocs build --strict --quiet --site-dir build/site
+fi
+
+if [ $core = no ]; then
+  stage "the viewer of reports: is the committed one what web/ makes?"
+  scripts/build_web.sh --check
+  stage "reports in a browser"
+  scripts/test_web.sh
 fi
 
 stage "tests, sanitized"

@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.."
 mapfile -t sources < <(git ls-files '*.cpp' '*.hpp')
 clang-format-14 --dry-run --Werror "${sources[@]}"
 
-if git grep -nE '\b(TODO|FIXME|XXX|HACK)\b' -- '*.cpp' '*.hpp' '*.sh' '*.py' '*.md' ':!scripts/check_style.sh'; then
+if git grep -nE '\b(TODO|FIXME|XXX|HACK)\b' -- '*.cpp' '*.hpp' '*.sh' '*.py' '*.md' '*.ts' '*.mjs' ':!scripts/check_style.sh'; then
   echo "check_style: finish these or open an issue" >&2
   exit 1
 fi

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing of Debian 12's packages: install.sh SET...  Sets: core tests quality browser docs bench.
+# Installs what is missing of Debian 12's packages: install.sh SET...  Sets: core tests quality browser web docs bench.
 # Asks nothing, changes nothing where all is there already.
 set -euo pipefail
 
@@ -9,12 +9,15 @@ declare -A sets=(
   [bench]="libbenchmark-dev libtinyobjloader-dev libbliss-dev libgmp-dev python3 python3-matplotlib"
   [quality]="clang-14 clang-format-14 clang-tidy-16 libclang-rt-14-dev"
   [browser]="clang-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc"
+  [web]="nodejs npm chromium"
   [docs]="mkdocs-material python3-matplotlib"
 )
 
 missing=()
 for set in "$@"; do
   for package in ${sets[$set]:?no such set: $set}; do
+    # Other builds of node bring npm along, and Debian's would not go with them.
+    [ "$package" = npm ] && command -v npm > /dev/null && continue
     [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
   done
 done
