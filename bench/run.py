@@ -15,6 +15,7 @@ from parts import (ablation, diff, edited, invariance, memory, multi, pairs, plo
 from parts import (ablation, edited, invariance, memory, multi, pairs, plots, posed, quality, regions, skeleton, speed,
                    symmetry, transfer, unrelated)
 from parts import (ablation, edited, invariance, memory, merge, multi, pairs, plots, posed, quality, regions, skeleton,
+from parts import (ablation, edited, invariance, memory, multi, pairs, plots, posed, quality, regions, report, skeleton,
                    speed, transfer, unrelated)
 from parts.common import ROOT, bar_table, parse
 from parts.tried import tried
@@ -26,6 +27,8 @@ PARTS = {"speed": speed, "edited": edited, "memory": memory, "skeleton": skeleto
          "symmetry": symmetry, "invariance": invariance}
          "merge": merge, "invariance": invariance}
 WITHOUT_COLLECTION = ("speed", "memory", "skeleton")
+         "report": report, "invariance": invariance}
+WITHOUT_COLLECTION = ("speed", "memory", "skeleton", "report")
 
 
 def write_page(options):

@@ -16,7 +16,7 @@ import { faceMaterial, lineMaterial, pointMaterial, veilMaterial } from "./mater
 export const LAYERS = {
   wireframe: "Wireframe",
   ambiguous: "Ambiguous, hatched",
-  seams: "Seams",
+  seams: "Seams, borders of regions",
   skeleton: "Skeleton and crossings",
   extraordinary: "Extraordinary vertices",
   anchors: "Anchors",
