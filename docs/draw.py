@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Draw the pictures of README.md, docs/how-it-works.md and docs/merge.md into docs/images/: the same bytes every time.
+"""Draw the pictures of README.md, docs/how-it-works.md and docs/diff.md into docs/images/: the same bytes every time.
 
 usage: docs/draw.py [--build FOLDER]
 
@@ -166,7 +167,24 @@ def draw_merge(programs):
     save(figure, IMAGES / "merge.png")
 
 
-PICTURES = [draw_symmetry, draw_transfer, draw_bears, draw_skeletons, draw_waves, draw_regions, draw_seam, draw_merge]
+CHANGES = {"inserted loop": "#e8a33d", "deletion": "#cf4a3f", "extrusion": "#9a7fc7", "refinement": "#6fb36b"}
+
+
+def draw_diff(programs):
+    """What docs/diff.md shows: the same edits, areas coloured by kind."""
+    source = EXAMPLES / "bear.obj"
+    target = programs.edited(source, 14, "delete:30", "extrude:20", "loop:1", "refine:12", "renumber")
+    changes = programs.diff(source, target)["changes"]
+    figure, both = panels(2, 8, 4.6)
+    for side, panel, path, title in zip(("source_faces", "target_faces"), both, (source, target), ("bear.obj", "an edited copy")):
+        colours = {face: CHANGES[change["kind"]] for change in changes for face in change[side]}
+        picture = Picture(Mesh(path), view(-25, 12))
+        picture.add_faces(lambda face, colours=colours: colours.get(face, PLAIN))
+        picture.paint(panel, title)
+    save(figure, IMAGES / "diff.png")
+
+
+PICTURES = [draw_symmetry, draw_transfer, draw_bears, draw_skeletons, draw_waves, draw_regions, draw_seam, draw_merge, draw_diff]
 
 
 def main():

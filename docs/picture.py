@@ -134,6 +134,10 @@ class Programs:
         command = [self.build / "quadmatch", "merge", base, ours, theirs, "-o", output, "--json", "--origins", "--quiet"]
         return json.loads(subprocess.run(command, check=True, cwd=ROOT, capture_output=True).stdout)
 
+    def diff(self, source, target):
+        command = [str(self.build / "quadmatch"), "diff", str(source), str(target), "--json"]
+        return json.loads(subprocess.run(command, check=False, cwd=ROOT, capture_output=True).stdout)
+
     def skeleton(self, mesh, *more):
         path = self.folder / "lines.obj"
         self.run("quadmatch", "skeleton", mesh, "-o", path, "--quiet", *more)

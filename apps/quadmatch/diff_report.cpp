@@ -127,8 +127,7 @@ std::string describe(const DoubtfulRegion& region) {
       fmt::format("{} from f{} of the source and f{} of the target on", counted(region.faces, "face"),
                   region.first_source.value, region.first_target.value);
   if (region.left_out) return fmt::format("{}: left out, a confidence of {:.2f} only", place, region.confidence);
-  return fmt::format("{}: one of {} ways to lay them, so what is said of them may be said of others", place,
-                     grouped(region.ways));
+  return fmt::format("{}: one of {} ways to lay them", place, grouped(region.ways));
 }
 
 void add_doubts(Lines& lines, const std::vector<DoubtfulRegion>& doubtful) {
