@@ -10,24 +10,15 @@ and the plots anew and measures nothing. `--quick --docs build/quick` tries part
 """
 import sys
 
-from parts import (ablation, diff, edited, invariance, memory, multi, pairs, plots, posed, quality, regions, skeleton, speed,
-                   transfer, unrelated)
-from parts import (ablation, edited, invariance, memory, multi, pairs, plots, posed, quality, regions, skeleton, speed,
-                   symmetry, transfer, unrelated)
-from parts import (ablation, edited, invariance, memory, merge, multi, pairs, plots, posed, quality, regions, skeleton,
-from parts import (ablation, edited, invariance, memory, multi, pairs, plots, posed, quality, regions, report, skeleton,
-                   speed, transfer, unrelated)
+from parts import (ablation, diff, edited, invariance, memory, merge, multi, pairs, plots, posed, quality, regions,
+                   report, skeleton, speed, symmetry, transfer, unrelated)
 from parts.common import ROOT, bar_table, parse
 from parts.tried import tried
 
 # In the order of the page.
 PARTS = {"speed": speed, "edited": edited, "memory": memory, "skeleton": skeleton, "quality": quality, "regions": regions,
          "ablation": ablation, "pairs": pairs, "posed": posed, "multi": multi, "unrelated": unrelated, "transfer": transfer,
-         "diff": diff, "invariance": invariance}
-         "symmetry": symmetry, "invariance": invariance}
-         "merge": merge, "invariance": invariance}
-WITHOUT_COLLECTION = ("speed", "memory", "skeleton")
-         "report": report, "invariance": invariance}
+         "diff": diff, "symmetry": symmetry, "merge": merge, "report": report, "invariance": invariance}
 WITHOUT_COLLECTION = ("speed", "memory", "skeleton", "report")
 
 

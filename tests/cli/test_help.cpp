@@ -11,7 +11,7 @@ using namespace quadmatch::test;
 
 namespace {
 
-const std::vector<std::string> kVerbs{"match", "transfer", "merge", "verify", "check", "diff", "skeleton"};
+const std::vector<std::string> kVerbs{"match", "transfer", "symmetry", "merge", "verify", "check", "diff", "skeleton"};
 
 std::size_t longest_line(const std::string& text) {
   std::size_t longest = 0;
