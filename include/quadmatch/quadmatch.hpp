@@ -17,9 +17,9 @@
 #include <quadmatch/mesh/check.hpp>
 #include <quadmatch/mesh/components.hpp>
 #include <quadmatch/mesh/mesh.hpp>
-#include <quadmatch/use/diff.hpp>
-#include <quadmatch/use/symmetry.hpp>
-#include <quadmatch/use/merge.hpp>
 #include <quadmatch/report/report.hpp>
+#include <quadmatch/use/diff.hpp>
+#include <quadmatch/use/merge.hpp>
+#include <quadmatch/use/symmetry.hpp>
 #include <quadmatch/use/transfer.hpp>
 #include <quadmatch/verify/verify.hpp>
