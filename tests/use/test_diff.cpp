@@ -285,6 +285,42 @@ TEST_CASE("a row at a boundary was split off where the old boundary still is, an
         std::vector<ChangeKind>{ChangeKind::Addition});
 }
 
+TEST_CASE("rows side by side are counted, and seen from the other end they were removed") {
+  const Mesh source = build(shapes::grid(6, 4)), target = build(shapes::grid(6, 7));
+  Match match;
+  match.regions.resize(2);
+  for (std::uint32_t f = 0; f < 24; ++f) {
+    const bool above = f >= 12;  // three rows farther up
+    match.regions[above ? 1 : 0].faces.push_back({FaceId(f), FaceId(above ? f + 18 : f), 0});
+  }
+  for (std::uint32_t v = 0; v < 35; ++v) match.vertices.push_back({VertexId(v), VertexId(v < 21 ? v : v + 21)});
+  const Difference difference = compared(source, target, match);
+  REQUIRE(difference.changes.size() == 1);
+  CHECK(difference.changes[0].kind == ChangeKind::InsertedLoop);
+  CHECK(difference.changes[0].rows == 3);
+  CHECK(difference.changes[0].target_faces.size() == 18);
+  CHECK(difference.changes[0].edges == 6);
+  const Difference back = compared(target, source, inverse_of(source, match));
+  REQUIRE(back.changes.size() == 1);
+  CHECK(back.changes[0].kind == ChangeKind::RemovedLoop);
+  CHECK(back.changes[0].rows == 3);
+}
+
+TEST_CASE("a patch that was lifted twice has two rows of walls and is an extrusion, no inserted loops") {
+  const PolygonSoup bear = shapes::bear().soup;
+  for (const std::uint32_t patch : {5, 13}) {
+    CAPTURE(patch);
+    const Expected<shapes::Edit> once = shapes::extrude_patch(bear, FaceId(1000), patch, 0.05);
+    REQUIRE(once.has_value());
+    const Expected<shapes::Edit> twice = shapes::extrude_patch(once->soup, FaceId(1000), patch, 0.05);
+    REQUIRE(twice.has_value());
+    const Difference difference = compared(bear, shapes::renumbered(twice->soup, 3).soup);
+    CHECK(kinds_of(difference) == std::vector<ChangeKind>{ChangeKind::Extrusion});
+    CHECK(difference.totals.added_faces() - difference.totals.removed_faces() ==
+          twice->soup.corners.size() / 4 - bear.corners.size() / 4);
+  }
+}
+
 TEST_CASE("a slit names the edges along which faces parted, and joins up again as a weld") {
   const PolygonSoup bear = shapes::bear().soup;
   const Difference difference = compared(bear, edited(bear, "rip:6", 3));

@@ -12,9 +12,9 @@ namespace {
 
 /// Of so many faces that came, one may be something else that happened beside the rows.
 constexpr std::size_t kOneStrayOf = 10;
-/// A flat patch has four corners more on one side than on the other, one with a pole in it three.
+/// A flat patch has four corners more of one kind than of the other. Irregular lines have as many as three by chance.
 constexpr std::int64_t kMostTurns = 3;
-/// One with more poles in it is told by how often its rim turns either way.
+/// A patch with poles in it has fewer, and is told by how often its rim turns either way.
 constexpr std::int64_t kOneCornerOf = 4;
 /// Where positions and corners do not tell which row is the old one, the match slides from one row to the next and
 /// back: so many rows to either side.
@@ -190,12 +190,15 @@ class RowCount {
 
   /// From the tip of a rung straight on over rungs, to the first vertex that is not regular or the last one.
   [[nodiscard]] std::int64_t excess_across(HalfedgeId rung) const {
-    while (excess(mesh_.next(rung)) == 0) {
-      const HalfedgeId over = mesh_.twin(mesh_.next(rung));
+    // Rows that close to a ring the other way have no last vertex.
+    for (std::size_t steps = 0; steps < rungs_.size(); ++steps) {
+      const HalfedgeId flank = mesh_.next(rung);
+      if (excess(flank) != 0) return excess(flank);
+      const HalfedgeId over = mesh_.twin(flank);
       if (!over.valid() || !rungs_.contains(mesh_.edge(mesh_.next(over)).value)) return 0;
       rung = mesh_.next(over);
     }
-    return excess(mesh_.next(rung));
+    return 0;
   }
 
   /// Does the vertex that a rung leaves lack an edge, and has the one at its other end one too much?
