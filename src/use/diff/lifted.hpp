@@ -11,8 +11,8 @@ namespace quadmatch::use {
 /// joined to before. Around a patch that is matched the whole wall is made of such quads.
 [[nodiscard]] std::size_t count_walled(const Scene& scene);
 
-/// Is what came what was there before, one or more rings of quads farther in? So it is with a patch that is too small, or too
-/// regular, for a match to find again behind its walls.
+/// Is what came what was there before, one or more rings of quads farther in? So it is with a patch that is too small,
+/// or too regular, for a match to find again behind its walls.
 [[nodiscard]] bool is_lifted_patch(const Scene& scene);
 
 }  // namespace quadmatch::use

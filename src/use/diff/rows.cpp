@@ -257,10 +257,10 @@ bool is_split_at_boundary(const Scene& scene) {
 
 std::uint32_t count_inserted_rows(const Scene& scene) {
   if (scene.faces_after.size() <= scene.faces_before.size()) return 0;
-  const bool any_was_joined = std::any_of(scene.rim.begin(), scene.rim.end(), [](const RimSide& side) {
+  const auto joined = std::count_if(scene.rim.begin(), scene.rim.end(), [](const RimSide& side) {
     return side.in_before != Beyond::Nothing && side.in_after == Beyond::Unmatched;
   });
-  return any_was_joined ? RowCount(scene).run() : 0;
+  return 2 * static_cast<std::size_t>(joined) > scene.rim.size() ? RowCount(scene).run() : 0;
 }
 
 }  // namespace quadmatch::use
