@@ -174,11 +174,14 @@ class SymmetryFinder {
       if (grown.faces() <= most) continue;
       most = grown.faces();
       best = germ;
+      if (most >= kOneMirror * tally.faces) break;
     }
     if (most == 0) return;
-    grown.clear();
-    grown.lay(best, Fit::Looks);
-    grown.grow(Fit::Looks);
+    if (grown.faces() != most) {
+      grown.clear();
+      grown.lay(best, Fit::Looks);
+      grown.grow(Fit::Looks);
+    }
     const auto differs = [&](FaceId f) {
       const HalfedgeId first = mesh_.first(f);
       return grown.image(first).valid() && images[first].valid() && grown.image(first) != images[first];
