@@ -12,6 +12,8 @@ import sys
 
 from parts import (ablation, diff, edited, invariance, memory, merge, multi, pairs, plots, posed, quality, regions,
                    report, skeleton, speed, symmetry, transfer, unrelated)
+from parts import (ablation, edited, invariance, memory, multi, pairs, plots, posed, quality, regions, skeleton, speed,
+                   symmetry, transfer, unrelated, uses_speed)
 from parts.common import ROOT, bar_table, parse
 from parts.tried import tried
 
@@ -20,6 +22,8 @@ PARTS = {"speed": speed, "edited": edited, "memory": memory, "skeleton": skeleto
          "ablation": ablation, "pairs": pairs, "posed": posed, "multi": multi, "unrelated": unrelated, "transfer": transfer,
          "diff": diff, "symmetry": symmetry, "merge": merge, "report": report, "invariance": invariance}
 WITHOUT_COLLECTION = ("speed", "memory", "skeleton", "report")
+         "symmetry": symmetry, "uses_speed": uses_speed, "invariance": invariance}
+WITHOUT_COLLECTION = ("speed", "memory", "skeleton", "uses_speed")
 
 
 def write_page(options):
