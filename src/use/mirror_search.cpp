@@ -221,7 +221,7 @@ void MirrorSearch::nearest_plane_first(std::vector<Germ>& germs) const {
   germs = std::move(sorted);
 }
 
-void MirrorSearch::try_germs(std::vector<Germ> germs, std::uint32_t component, bool whole_only,
+void MirrorSearch::try_germs(const std::vector<Germ>& germs, std::uint32_t component, bool whole_only,
                              MirrorsOfComponent& found) {
   const std::size_t budget = kBudget * components_.face_count[component] + kLeastBudget;
   spent_ = 0;
@@ -240,7 +240,7 @@ MirrorsOfComponent MirrorSearch::mirrors_of(std::uint32_t component) {
   MirrorsOfComponent found;
   std::vector<Germ> germs = exact_germs(component);
   nearest_plane_first(germs);
-  try_germs(std::move(germs), component, true, found);
+  try_germs(germs, component, true, found);
   if (found.mirrors.empty()) {
     try_germs(likely_germs(component), component, false, found);
     found.maybe_more = true;

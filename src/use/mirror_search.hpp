@@ -52,7 +52,7 @@ class MirrorSearch {
   [[nodiscard]] std::vector<Coloured> spokes_in(std::uint32_t component, std::uint32_t round, bool opposite) const;
   [[nodiscard]] std::vector<Germ> exact_germs(std::uint32_t component);
   [[nodiscard]] std::vector<Germ> likely_germs(std::uint32_t component) const;
-  void try_germs(std::vector<Germ> germs, std::uint32_t component, bool whole_only, MirrorsOfComponent& found);
+  void try_germs(const std::vector<Germ>& germs, std::uint32_t component, bool whole_only, MirrorsOfComponent& found);
   void nearest_plane_first(std::vector<Germ>& germs) const;
   [[nodiscard]] std::optional<Mirror> grown(Germ germ, std::uint32_t component, bool whole_only);
   [[nodiscard]] double misfit_of_map() const;

@@ -339,10 +339,11 @@ class SymmetryFinder {
     for (std::uint32_t h = 0; h < mesh_.halfedge_count(); ++h) {
       const HalfedgeId half(h);
       if (!map_.image(half).valid()) continue;
-      const auto ends = std::minmax(mesh_.origin(half), mesh_.tip(half));
-      if (map_.image(half) == mesh_.twin(half) && half < mesh_.twin(half)) line.edges.emplace_back(ends);
+      const VertexId from = mesh_.origin(half), to = mesh_.tip(half);
+      const std::pair<VertexId, VertexId> ends(std::min(from, to), std::max(from, to));
+      if (map_.image(half) == mesh_.twin(half) && half < mesh_.twin(half)) line.edges.push_back(ends);
       const bool is_first = !mesh_.twin(half).valid() || half < mesh_.twin(half);
-      if (map_.image(half) == half && is_first) line.crossed_edges.emplace_back(ends);
+      if (map_.image(half) == half && is_first) line.crossed_edges.push_back(ends);
     }
     std::sort(line.edges.begin(), line.edges.end());
     std::sort(line.crossed_edges.begin(), line.crossed_edges.end());
