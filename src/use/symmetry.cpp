@@ -28,6 +28,8 @@ constexpr double kOneMirror = 0.9;
 constexpr double kFarther = 1.05;
 /// Places on the line of which growth is tried.
 constexpr std::size_t kMostGerms = 5;
+/// Rows of faces about an edit whose corners look different though they are opposite each other.
+constexpr int kRimLayers = 2;
 /// Fewer faces that were cut off could lie anywhere.
 constexpr std::size_t kLeastIsland = 4;
 
@@ -246,7 +248,7 @@ class SymmetryFinder {
       for (const Germ& germ : others_) map_.lay(germ, Fit::Vertices);
     }
     map_.grow(Fit::Looks);
-    map_.cover_rim();
+    for (int layer = 0; layer < kRimLayers; ++layer) map_.cover_rim();
   }
 
   /// Give up what lies on its own side.
