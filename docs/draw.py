@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-"""Draw the pictures of README.md, docs/how-it-works.md and docs/merge.md into docs/images/: the same bytes every time.
-"""Draw the pictures of README.md, docs/how-it-works.md and docs/diff.md into docs/images/: the same bytes every time.
+"""Draw the pictures of README.md and of the pages in docs/ into docs/images/: the same bytes every time.
 
 usage: docs/draw.py [--build FOLDER]
 
@@ -151,7 +150,7 @@ def draw_transfer(programs):
 def draw_merge(programs):
     """Two edits of the bear and their merge: what OURS added in blue, what THEIRS added in orange."""
     base = EXAMPLES / "bear.obj"
-    ours = programs.edited(base, 2, "extrude:24").rename(programs.folder / "mine.obj")
+    ours = programs.edited(base, 24, "extrude:24").rename(programs.folder / "mine.obj")
     theirs = programs.edited(base, 4, "loop:1", "renumber").rename(programs.folder / "yours.obj")
     merged = programs.folder / "merged.obj"
     origins = programs.merge(base, ours, theirs, merged)["origins"]
