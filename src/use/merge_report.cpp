@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <utility>
 
 namespace quadmatch::use {
 namespace {
@@ -31,7 +33,7 @@ PerVertex<VertexChange> vertex_changes(const ThreeMeshes& meshes, const Cells& c
     const InThree<HalfedgeId>& corner = cells.corners[c];
     if (!corner[Side::Base].valid()) continue;
     VertexChange& change = changes[base.origin(corner[Side::Base])];
-    change.used = true;
+    if (std::exchange(change.used, true)) continue;  // where nothing is changed, all its corners say the same
     change.changed = junctions.at(c).by(side);
     if (!change.changed) change.moved = is_elsewhere(meshes, side, corner);
   }
@@ -48,6 +50,18 @@ Point centre_of(const Mesh& mesh, const std::vector<VertexId>& vertices) {
     }
   }
   return centre;
+}
+
+/// What building a mesh finds of itself.
+std::map<DepartureKind, std::size_t> departures_of(const Mesh& mesh) {
+  std::map<DepartureKind, std::size_t> counts;
+  for (const Seam& seam : mesh.seams()) {
+    ++counts[seam.kind == SeamKind::NonManifold ? DepartureKind::NonManifoldEdge
+             : seam.kind == SeamKind::Winding   ? DepartureKind::InconsistentWinding
+                                                : DepartureKind::DegenerateFace];
+  }
+  if (!mesh.split_vertices().empty()) counts[DepartureKind::DisconnectedVertex] = mesh.split_vertices().size();
+  return counts;
 }
 
 }  // namespace
@@ -129,16 +143,14 @@ std::vector<DoubtfulPart> doubtful_parts(const ThreeMeshes& meshes, const Cells&
 }
 
 std::vector<DepartureKind> new_departures(const ThreeMeshes& meshes, const Mesh& result) {
-  const std::vector<std::size_t> counts = check(result, 0).departure_counts;
+  const std::map<DepartureKind, std::size_t> counts = departures_of(result);
+  std::array<std::map<DepartureKind, std::size_t>, 3> before;
+  for (std::size_t k = 0; k < before.size() && !counts.empty(); ++k) before[k] = departures_of(*meshes[k]);
   std::vector<DepartureKind> kinds;
-  if (std::all_of(counts.begin(), counts.end(), [](std::size_t count) { return count == 0; })) return kinds;
-  std::array<std::vector<std::size_t>, 3> before;
-  for (const Side side : kSides)
-    before[static_cast<std::size_t>(side)] = check(mesh_of(meshes, side), 0).departure_counts;
-  for (std::size_t k = 0; k < counts.size(); ++k) {
-    const std::size_t base = before[0][k], ours = before[1][k], theirs = before[2][k];
+  for (const auto& [kind, count] : counts) {
+    const std::size_t base = before[0][kind], ours = before[1][kind], theirs = before[2][kind];
     const std::size_t both = ours + theirs > base ? ours + theirs - base : 0;  // each side's own ones
-    if (counts[k] > std::max({base, ours, theirs, both})) kinds.push_back(static_cast<DepartureKind>(k));
+    if (count > std::max({base, ours, theirs, both})) kinds.push_back(kind);
   }
   return kinds;
 }

@@ -17,7 +17,7 @@ namespace quadmatch::use {
 [[nodiscard]] std::vector<DoubtfulPart> doubtful_parts(const ThreeMeshes& meshes, const Cells& cells,
                                                        const Junctions& junctions, Side side, const Match& match);
 
-/// Kinds of departures of which the result has more than the sides have, and brought, together.
+/// Of the departures that building a mesh finds: those of which the result has more than the sides have, together.
 [[nodiscard]] std::vector<DepartureKind> new_departures(const ThreeMeshes& meshes, const Mesh& result);
 
 }  // namespace quadmatch::use

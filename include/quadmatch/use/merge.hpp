@@ -89,8 +89,8 @@ struct MergeReport {
   std::vector<ValueConflict> values;
   std::vector<MergedAttribute> attributes;
   std::vector<DoubtfulPart> doubtful;
-  /// Departures from a well-formed mesh of which the result has more than the sides have, and brought, together. What a
-  /// face or a vertex has around it is as in one of the three, so only holes may have come to touch themselves.
+  /// Seams and vertices of several fans of which the result has more than the sides have, and brought, together: none,
+  /// since what a face or a vertex has around it is as in one of the three. Looked at all the same.
   std::vector<DepartureKind> new_departures;
   /// Vertices that stand where a side put them, carried along by how far the other side moved what is around them.
   std::uint32_t carried_along = 0;
