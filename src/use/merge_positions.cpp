@@ -17,7 +17,7 @@ class Displacement {
                const std::vector<std::uint8_t>& held, Side side)
       : mesh_(file_of(files, side).mesh),
         moves_{3, std::vector<std::uint8_t>(mesh_.vertex_count(), 0),
-               std::vector<double>(3 * mesh_.vertex_count(), 0)} {
+               std::vector<double>(std::size_t{3} * mesh_.vertex_count(), 0)} {
     const Mesh &base = file_of(files, Side::Base).mesh, &mover = file_of(files, other(side)).mesh;
     for (std::uint32_t c = 0; c < cells.corners.size(); ++c) {
       const InThree<HalfedgeId>& corner = cells.corners[c];
