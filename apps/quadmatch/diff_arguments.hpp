@@ -11,6 +11,7 @@ namespace quadmatch::cli {
 struct DiffArguments {
   std::string source, target;
   std::string output;
+  std::string page;  ///< of the HTML report, empty: none
   MatchWishes match;
   bool isomorphic = false;
   bool ignore_positions = false;

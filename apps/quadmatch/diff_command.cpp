@@ -4,6 +4,7 @@
 
 #include "command.hpp"
 #include "diff_arguments.hpp"
+#include "html_report.hpp"
 
 namespace quadmatch::cli {
 namespace {
@@ -40,6 +41,7 @@ Examples:
   quadmatch diff before.obj after.obj
   quadmatch diff before.obj posed.obj --ignore-positions --quiet && echo same connectivity
   quadmatch diff a.obj b.obj --json | jq '.changes[] | select(.kind == "deletion").source_faces'
+  quadmatch diff before.obj after.obj --report changes.html    then open it in a browser
   quadmatch diff left.obj right.obj --isomorphic --orientation reversing -o map.json
 
 Exit status: 0 no differences, 1 differences, 2 trouble.)";
@@ -47,7 +49,8 @@ Exit status: 0 no differences, 1 differences, 2 trouble.)";
 /// The word that is given and has no place beside `mode`, or nothing.
 const char* misplaced(const DiffArguments& arguments) {
   if (arguments.isomorphic) {
-    return !arguments.match.file.empty()    ? "--match"
+    return !arguments.page.empty()          ? "--report"
+           : !arguments.match.file.empty()  ? "--match"
            : arguments.match.no_positions   ? "--no-positions"
            : arguments.least_confidence > 0 ? "--min-confidence"
            : arguments.stat                 ? "--stat"
@@ -74,7 +77,8 @@ bool usage_fits(const DiffArguments& arguments) {
   }
   std::vector<std::string> inputs{arguments.source, arguments.target};
   if (!arguments.match.file.empty()) inputs.push_back(arguments.match.file);
-  return paths_fit(inputs, arguments.output) && wishes_fit(arguments.match);
+  return paths_fit(inputs, arguments.output) && wishes_fit(arguments.match) &&
+         report_fits(arguments.page, inputs, arguments.output);
 }
 
 int run_diff(const DiffArguments& arguments) {
@@ -111,6 +115,7 @@ void add_comparison_options(CLI::App& verb, DiffArguments& arguments) {
 }
 
 void add_form_options(CLI::App& verb, DiffArguments& arguments) {
+  add_report_option(verb, arguments.page);
   verb.add_flag("--stat", arguments.stat, "Print one line of name=number");
   verb.add_flag("--json", arguments.json, "Print all of it as JSON, with the elements of each change");
   verb.add_flag("--quiet", arguments.quiet, "Print nothing, only set the exit status");

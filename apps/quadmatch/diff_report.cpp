@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "html_report.hpp"
 #include "inputs.hpp"
 #include "json.hpp"
 #include "text.hpp"
@@ -95,10 +97,14 @@ std::string where_it_is(const Change& change) {
   return joined(parts, "; ");
 }
 
+std::string sentence_of(const Change& change) {
+  return fmt::format("{}: {}", what_happened(change), where_it_is(change));
+}
+
 void add_changes(Lines& lines, const std::vector<Change>& changes) {
   const std::size_t shown = changes.size() <= kMostLines + 1 ? changes.size() : kMostLines;
   for (std::size_t k = 0; k < shown; ++k) {
-    lines.add(name_of(changes[k].kind), fmt::format("{}: {}", what_happened(changes[k]), where_it_is(changes[k])));
+    lines.add(name_of(changes[k].kind), sentence_of(changes[k]));
   }
   if (shown == changes.size()) return;
   lines.add("", fmt::format("and {} smaller changes; --json lists them all", grouped(changes.size() - shown)));
@@ -130,11 +136,13 @@ std::string describe(const DoubtfulRegion& region) {
   return fmt::format("{}: one of {} ways to lay them", place, grouped(region.ways));
 }
 
-void add_doubts(Lines& lines, const std::vector<DoubtfulRegion>& doubtful) {
+void add_doubts(std::vector<ReportFigure>& figures, const std::vector<DoubtfulRegion>& doubtful) {
   constexpr std::size_t kMostDoubts = 6;
   const std::size_t shown = doubtful.size() <= kMostDoubts + 1 ? doubtful.size() : kMostDoubts;
-  for (std::size_t k = 0; k < shown; ++k) lines.add("doubt", describe(doubtful[k]));
-  if (shown < doubtful.size()) lines.add("", fmt::format("and {} more regions", grouped(doubtful.size() - shown)));
+  for (std::size_t k = 0; k < shown; ++k) figures.push_back({"doubt", describe(doubtful[k])});
+  if (shown < doubtful.size()) {
+    figures.push_back({"", fmt::format("and {} more regions", grouped(doubtful.size() - shown))});
+  }
 }
 
 /// How many changes of each kind, in the order of the kinds.
@@ -198,32 +206,56 @@ Json totals_json(const Difference& difference) {
             {"moved", difference.moved.size()}}}};
 }
 
-}  // namespace
-
-std::string as_text(const DiffSummary& summary) {
+/// Sizes, and how much of them is the same.
+std::vector<ReportFigure> figures_of(const DiffSummary& summary) {
   const Difference& difference = summary.difference;
   const DiffTotals& totals = difference.totals;
   const auto side = [](const std::string& name, std::uint32_t faces, std::uint32_t vertices) {
     return fmt::format("{}: {}, {}", display_name(name), counted(faces, "face"),
                        counted(vertices, "vertex", "vertices"));
   };
+  std::vector<ReportFigure> figures{
+      {"source", side(summary.source, totals.source_faces, totals.source_vertices)},
+      {"target", side(summary.target, totals.target_faces, totals.target_vertices)},
+      {"faces", balance(totals.matched_faces, {{totals.rejoined_faces, "of them joined otherwise"},
+                                               {totals.turned_faces, "of them turned over"},
+                                               {totals.added_faces(), "added"},
+                                               {totals.removed_faces(), "removed"}})},
+      {"vertices",
+       balance(totals.matched_vertices, {{static_cast<std::uint32_t>(difference.moved.size()), "of them moved"},
+                                         {totals.added_vertices(), "added"},
+                                         {totals.removed_vertices(), "removed"}})}};
+  if (difference.whole_motion) figures.push_back({"motion", describe(*difference.whole_motion)});
+  return figures;
+}
+
+}  // namespace
+
+std::string as_text(const DiffSummary& summary) {
+  const Difference& difference = summary.difference;
   Lines lines;
-  lines.add("source", side(summary.source, totals.source_faces, totals.source_vertices));
-  lines.add("target", side(summary.target, totals.target_faces, totals.target_vertices));
-  lines.add("faces", balance(totals.matched_faces, {{totals.rejoined_faces, "of them joined otherwise"},
-                                                    {totals.turned_faces, "of them turned over"},
-                                                    {totals.added_faces(), "added"},
-                                                    {totals.removed_faces(), "removed"}}));
-  lines.add("vertices",
-            balance(totals.matched_vertices, {{static_cast<std::uint32_t>(difference.moved.size()), "of them moved"},
-                                              {totals.added_vertices(), "added"},
-                                              {totals.removed_vertices(), "removed"}}));
-  if (difference.whole_motion) lines.add("motion", describe(*difference.whole_motion));
+  for (ReportFigure& figure : figures_of(summary)) lines.add(std::move(figure.name), std::move(figure.text));
   add_changes(lines, difference.changes);
-  add_doubts(lines, difference.doubtful);
+  std::vector<ReportFigure> doubts;
+  add_doubts(doubts, difference.doubtful);
+  for (ReportFigure& doubt : doubts) lines.add(std::move(doubt.name), std::move(doubt.text));
   lines.add("time", fmt::format("reading {}, matching and comparing {}", duration(summary.times.reading),
                                 duration(summary.times.matching)));
+  if (!summary.page.empty()) lines.add("written", summary.page);
   return (difference.none() ? "no differences\n" : "different\n") + lines.render(2);
+}
+
+ReportText report_text(const DiffSummary& summary) {
+  ReportText text{.title = report_title(summary.source, summary.target),
+                  .program = "quadmatch " QUADMATCH_VERSION,
+                  .figures = figures_of(summary)};
+  add_doubts(text.figures, summary.difference.doubtful);
+  for (const Change& change : summary.difference.changes) {
+    const bool all_matched = change.source_faces.empty() && change.target_faces.empty();
+    text.changes.push_back({name_of(change.kind), all_matched ? change.rejoined : change.source_faces,
+                            change.target_faces, sentence_of(change)});
+  }
+  return text;
 }
 
 std::string as_stat(const DiffSummary& summary) {
@@ -261,7 +293,8 @@ std::string as_json(const DiffSummary& summary) {
        {"whole_motion", motion_json(difference.whole_motion)},
        {"doubtful", doubtful},
        {"settings", settings},
-       {"milliseconds", {{"reading", rounded(summary.times.reading)}, {"matching", rounded(summary.times.matching)}}}});
+       {"milliseconds", {{"reading", rounded(summary.times.reading)}, {"matching", rounded(summary.times.matching)}}},
+       {"report", summary.page.empty() ? Json(nullptr) : Json(summary.page)}});
 }
 
 }  // namespace quadmatch::cli

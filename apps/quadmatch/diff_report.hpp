@@ -13,10 +13,15 @@ namespace quadmatch::cli {
 
 struct DiffSummary {
   std::string source, target;  ///< names to show
+  Match match;
   Difference difference;
   std::vector<std::pair<std::string, std::string>> settings;
-  Times times;  ///< matching: both, to match and to compare
+  Times times;       ///< matching: both, to match and to compare
+  std::string page;  ///< where the HTML report was written; empty: nowhere
 };
+
+/// What the HTML report says of it: every change by its name, to fly to.
+[[nodiscard]] ReportText report_text(const DiffSummary& summary);
 
 /// One page: what was changed, from the largest.
 [[nodiscard]] std::string as_text(const DiffSummary& summary);

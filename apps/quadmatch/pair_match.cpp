@@ -26,6 +26,7 @@ Expected<Match> given_match(const std::string& path, const MeshFile& source, con
 Match found_match(const MatchWishes& wishes, const MeshFile& source, const MeshFile& target, Progress& progress) {
   MatchOptions options;
   options.positions = !wishes.no_positions;
+  options.waves = wishes.waves;
   options.orientation = orientation_choices().at(wishes.orientation);
   if (progress.visible()) {
     options.progress = [&progress](std::size_t matched, std::size_t most) {

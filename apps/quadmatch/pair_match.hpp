@@ -17,6 +17,7 @@ struct MatchWishes {
   std::string file = {};  ///< empty: match here
   std::string orientation = "auto";
   bool no_positions = false;
+  bool waves = false;  ///< keep how a match that is found here grew
 };
 
 /// The names of --orientation.

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <quadmatch/report/report.hpp>
+
 namespace quadmatch::cli {
 namespace {
 
@@ -18,13 +20,30 @@ std::vector<std::pair<std::string, std::string>> settings_of(const DiffArguments
   return settings;
 }
 
+/// The page, if one was asked for. Regions that count as unmatched are shown so.
+bool write_page(const DiffArguments& arguments, const InputPair& inputs, DiffSummary& summary) {
+  if (arguments.page.empty()) return true;
+  Match shown = summary.match;
+  for (const DoubtfulRegion& doubt : summary.difference.doubtful) {
+    if (doubt.left_out) shown.regions[doubt.region].faces.clear();
+  }
+  std::erase_if(shown.regions, [](const Region& region) { return region.faces.empty(); });
+  const Expected<void> written =
+      write_report(arguments.page, inputs.source, inputs.target, shown, report_text(summary));
+  if (!written) complain(written.error());
+  summary.page = arguments.page;
+  return written.has_value();
+}
+
 }  // namespace
 
 std::optional<DiffSummary> compare(const DiffArguments& arguments, const MeshFile& source, const MeshFile& target,
                                    double reading, Progress& progress) {
   Stopwatch stopwatch;
   progress.stage("matching");
-  const std::optional<Match> match = find_or_read_match(arguments.match, source, target, progress);
+  MatchWishes wishes = arguments.match;
+  wishes.waves = !arguments.page.empty();  // a report replays them
+  std::optional<Match> match = find_or_read_match(wishes, source, target, progress);
   if (!match) return std::nullopt;
   progress.stage("comparing");
   const DiffOptions options{arguments.ignore_positions, arguments.tolerance, arguments.least_confidence};
@@ -35,7 +54,13 @@ std::optional<DiffSummary> compare(const DiffArguments& arguments, const MeshFil
     complain(difference.error());
     return std::nullopt;
   }
-  DiffSummary summary{source.path, target.path, *std::move(difference), settings_of(arguments), {}};
+  DiffSummary summary{.source = source.path,
+                      .target = target.path,
+                      .match = *std::move(match),
+                      .difference = *std::move(difference),
+                      .settings = settings_of(arguments),
+                      .times = {},
+                      .page = {}};
   summary.times.reading = reading;
   summary.times.matching = stopwatch.lap();
   return summary;
@@ -59,8 +84,8 @@ int run_parts_diff(const DiffArguments& arguments) {
     warn_of_dirt(inputs->source);
     warn_of_dirt(inputs->target);
   }
-  const std::optional<DiffSummary> summary = compare(arguments, inputs->source, inputs->target, reading, progress);
-  if (!summary || !tell(arguments, *summary)) return kTrouble;
+  std::optional<DiffSummary> summary = compare(arguments, inputs->source, inputs->target, reading, progress);
+  if (!summary || !write_page(arguments, *inputs, *summary) || !tell(arguments, *summary)) return kTrouble;
   return summary->difference.none() ? kSame : kDifferent;
 }
 

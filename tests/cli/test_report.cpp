@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
+#include <quadmatch/shapes/edit.hpp>
 #include <quadmatch/shapes/renumber.hpp>
+#include <quadmatch/shapes/shirt.hpp>
 #include <quadmatch/shapes/zoo.hpp>
 
 #include "program.hpp"
@@ -72,6 +74,34 @@ TEST_CASE("with --json the page is named among the figures") {
   const Outcome nothing = folder.run({"match", "a.obj", "b.obj", "--report", "page.html", "--min-region", "1000"});
   CHECK(nothing.status == 1);
   CHECK(header_of(folder.read("page.html")).at("regions").empty());
+}
+
+TEST_CASE("diff --report lists every change by its name, with its faces, and shows what was left out as unmatched") {
+  const Folder folder;
+  const PolygonSoup shirt = shapes::shirt(shapes::Sleeves::Short).soup;
+  folder.write("a.obj", shirt);
+  const Expected<shapes::Edit> edit = shapes::delete_patch(shirt, FaceId(600), 12);
+  REQUIRE(edit.has_value());
+  folder.write("cut.obj", shapes::renumbered(edit->soup, 4).soup);
+  const Outcome outcome = folder.run({"diff", "a.obj", "cut.obj", "--report", "page.html"});
+  CHECK(outcome.status == 1);
+  CHECK(outcome.err.empty());
+  CHECK(contains(outcome.out, "  written   page.html\n"));
+  const Json header = header_of(folder.read("page.html"));
+  REQUIRE(header.at("changes").size() == 1);
+  CHECK(header.at("changes").at(0).at(0) == "deletion");
+  CHECK(header.at("changes").at(0).at(1).get<std::string>().starts_with("12 faces removed: f"));
+  CHECK(header.at("figures").at(2) == Json::array({"faces", "1,420 the same, 12 removed"}));
+  // Two lists of faces, of twelve and of none: a byte for each length, and one or two for each face.
+  const std::size_t bytes = header.at("blocks").back().at(1);
+  CHECK((bytes >= 14 && bytes <= 26));
+  const Json figures = Json::parse(folder.run({"diff", "a.obj", "cut.obj", "--report", "page.html", "--json"}).out);
+  CHECK(figures.at("report") == "page.html");
+
+  const Outcome misplaced = folder.run({"diff", "a.obj", "cut.obj", "--isomorphic", "--report", "page.html"});
+  CHECK(misplaced.status == 2);
+  CHECK(contains(misplaced.err, "--report is about comparing part by part"));
+  CHECK(folder.run({"diff", "a.obj", "cut.obj", "--report", "cut.obj"}).status == 2);
 }
 
 TEST_CASE("a page that cannot be written is trouble in one line, and nothing is overwritten") {
