@@ -11,19 +11,16 @@ and the plots anew and measures nothing. `--quick --docs build/quick` tries part
 import sys
 
 from parts import (ablation, diff, edited, invariance, memory, merge, multi, pairs, plots, posed, quality, regions,
-                   report, skeleton, speed, symmetry, transfer, unrelated)
-from parts import (ablation, edited, invariance, memory, multi, pairs, plots, posed, quality, regions, skeleton, speed,
-                   symmetry, transfer, unrelated, uses_speed)
+                   report, skeleton, speed, symmetry, transfer, unrelated, uses_speed)
 from parts.common import ROOT, bar_table, parse
 from parts.tried import tried
 
 # In the order of the page.
 PARTS = {"speed": speed, "edited": edited, "memory": memory, "skeleton": skeleton, "quality": quality, "regions": regions,
          "ablation": ablation, "pairs": pairs, "posed": posed, "multi": multi, "unrelated": unrelated, "transfer": transfer,
-         "diff": diff, "symmetry": symmetry, "merge": merge, "report": report, "invariance": invariance}
-WITHOUT_COLLECTION = ("speed", "memory", "skeleton", "report")
-         "symmetry": symmetry, "uses_speed": uses_speed, "invariance": invariance}
-WITHOUT_COLLECTION = ("speed", "memory", "skeleton", "uses_speed")
+         "diff": diff, "merge": merge, "symmetry": symmetry, "uses_speed": uses_speed, "report": report,
+         "invariance": invariance}
+WITHOUT_COLLECTION = ("speed", "memory", "skeleton", "uses_speed", "report")
 
 
 def write_page(options):

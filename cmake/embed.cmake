@@ -1,4 +1,5 @@
-# cmake -DINPUT=page.html -DOUTPUT=page.cpp -P embed.cmake: a text file as the constant that src/report/page.hpp names.
+# cmake -DINPUT=page.html -DVIEWER=true|false -DOUTPUT=page.cpp -P embed.cmake: a text file as the constant that
+# src/report/page.hpp names.
 file(READ "${INPUT}" text)
 string(FIND "${text}" ")page\"" end)
 if(NOT end EQUAL -1)
@@ -12,6 +13,8 @@ namespace quadmatch::report {
 std::string_view page() {
   return R\"page(${text})page\";
 }
+
+bool has_viewer() { return ${VIEWER}; }
 
 }  // namespace quadmatch::report
 ")

@@ -14,7 +14,7 @@ compile() {
     -DFMT_HEADER_ONLY -DFMT_EXCEPTIONS=0 -DJSON_NOEXCEPTION -D_LIBCPP_ENABLE_CXX17_REMOVED_UNARY_BINARY_FUNCTION -isystem $1/include -Iinclude -I"$(dirname "$2")" -c "$2" -o "$object"
 }
 export -f compile
-cmake -DINPUT=src/report/page.html -DOUTPUT=$out/page.cpp -P cmake/embed.cmake
+cmake -DINPUT=src/report/no_viewer.html -DVIEWER=false -DOUTPUT=$out/page.cpp -P cmake/embed.cmake
 cp src/report/page.hpp $out/include
 { git ls-files 'src/*.cpp'; echo $out/page.cpp; } | xargs -P "$(nproc)" -I{} bash -c 'compile "$0" {}' $out
 clang++-19 --target=wasm32-wasi -mexec-model=reactor -Wl,--export-all -Wl,--no-entry $out/*.o -o $out/quadmatch.wasm

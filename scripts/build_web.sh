@@ -1,18 +1,17 @@
 #!/usr/bin/env bash
-# Builds the viewer of reports from web/ into src/report/page.html, which the program embeds: build_web.sh [--check]
-#   --check  change nothing; fail where the committed page is not what web/ makes, or a test of web/ fails
-# Needs node and the network's npm packages once; making the program and making reports need neither.
+# Builds the viewer of reports from web/ into build/web/report.html, which the program embeds when it is built: build_web.sh [--test]
+#   --test  also run the tests of web/ that need no browser
+# Needs node, and the network's npm packages once. Does nothing where the viewer is newer than all of web/.
 set -euo pipefail
 cd "$(dirname "$0")/../web"
-[ node_modules/.package-lock.json -nt package-lock.json ] || npm ci --silent
-npx tsc --noEmit
-npx vitest run
-npx vite build --logLevel warn
 built=../build/web/report.html
-committed=../src/report/page.html
-if [ "${1:-}" = --check ]; then
-  cmp "$built" "$committed" || { echo "build_web.sh: src/report/page.html is not what web/ makes; run scripts/build_web.sh and commit it" >&2; exit 1; }
-else
-  cp "$built" "$committed"
+# Not "npm ci": it wants the packages of all platforms to be there, and a mirror may hold those of one.
+[ node_modules/.package-lock.json -nt package-lock.json ] || npm install --no-save --silent
+if [ "${1:-}" = --test ]; then
+  npx tsc --noEmit
+  npx vitest run
 fi
-echo "$committed: $(stat -c %s "$built") bytes"
+if [ ! -e $built ] || [ -n "$(find . -path ./node_modules -prune -o -type f -newer $built -print -quit)" ]; then
+  npx vite build --logLevel warn
+fi
+echo "build/web/report.html: $(stat -c %s $built) bytes"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing of Debian 12's packages: install.sh SET...  Sets: core tests quality browser web docs bench.
+# Installs what is missing of Debian 12's packages: install.sh SET...  Sets: core viewer tests quality browser web docs bench.
 # Asks nothing, changes nothing where all is there already.
 set -euo pipefail
 
@@ -9,7 +9,8 @@ declare -A sets=(
   [bench]="libbenchmark-dev libtinyobjloader-dev libbliss-dev libgmp-dev python3 python3-matplotlib"
   [quality]="clang-14 clang-format-14 clang-tidy-16 libclang-rt-14-dev"
   [browser]="clang-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc"
-  [web]="nodejs npm chromium"
+  [viewer]="nodejs npm"
+  [web]="chromium"
   [docs]="mkdocs-material python3-matplotlib"
 )
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The viewer: an HTML file built from web/ and committed as src/report/page.html, here as a constant.
+/// The viewer: an HTML file that scripts/build_web.sh makes of web/, here as a constant.
 
 #include <string_view>
 
@@ -7,6 +7,8 @@ namespace quadmatch::report {
 
 /// With kHeaderPlace and kDataPlace in it once each, where a report has its own.
 [[nodiscard]] std::string_view page();
+/// Was there a viewer when this was built? If not, the page only says so.
+[[nodiscard]] bool has_viewer();
 
 constexpr std::string_view kHeaderPlace = "@QUADMATCH_HEADER@";
 constexpr std::string_view kDataPlace = "@QUADMATCH_DATA@";

@@ -35,6 +35,13 @@ std::string format_report(const MeshFile& source, const MeshFile& target, const 
 
 Expected<void> write_report(const std::string& path, const MeshFile& source, const MeshFile& target, const Match& match,
                             const ReportText& text) {
+  if (!report::has_viewer()) {
+    return Unexpected(
+        Error{ErrorCode::CannotWrite,
+              "this program was built without the viewer that reports hold; scripts/build_web.sh makes it, "
+              "then build again",
+              path});
+  }
   return replace_file(path, format_report(source, target, match, text));
 }
 

@@ -56,7 +56,7 @@ struct ReportText {
                                         const ReportText& text);
 
 /// The same into a file, all or nothing; `-` writes standard output.
-/// @par Errors  CannotWrite, with the system's reason.
+/// @par Errors  CannotWrite, with the system's reason, or where the library was built without the viewer.
 [[nodiscard]] Expected<void> write_report(const std::string& path, const MeshFile& source, const MeshFile& target,
                                           const Match& match, const ReportText& text);
 
