@@ -16,7 +16,7 @@ build() { cmake --preset "$1" > build/"$1".log || { cat build/"$1".log; exit 1; 
 
 mkdir -p build
 stage "install what is missing"
-scripts/install.sh core viewer tests bench
+scripts/install.sh core viewer tests bench python
 [ $core = yes ] || scripts/install.sh quality browser web docs
 
 if [ $core = no ]; then
@@ -53,6 +53,11 @@ if [ $core = no ]; then
   stage "reports in a browser"
   scripts/test_web.sh
 fi
+
+stage "the Python package: a wheel, in a fresh environment"
+CMAKE_ARGS="-DQUADMATCH_DEVELOPER=ON" scripts/build_python.sh
+stage "tests of the Python package"
+scripts/test_python.sh
 
 stage "tests, sanitized"
 ctest --preset sanitize -j 2 --timeout 1200

@@ -61,7 +61,7 @@ def corners(name: str, faces: object) -> Corners:
     """An (M, k) array, a list of lists, or a tuple (offsets, indices)."""
     if isinstance(faces, tuple):
         return from_offsets(name, faces)
-    if not isinstance(faces, np.ndarray) and isinstance(faces, (list, Mapping)):
+    if isinstance(faces, list):
         ragged = from_lists(name, faces)
         if ragged is not None:
             return ragged
@@ -91,10 +91,8 @@ def from_offsets(name: str, faces: tuple[object, ...]) -> Corners:
     return integers(name, "indices", indices), integers(name, "offsets", offsets)
 
 
-def from_lists(name: str, faces: Any) -> Corners | None:
+def from_lists(name: str, faces: list[Any]) -> Corners | None:
     """Faces as lists; None where they all have the same length, so that NumPy does it faster."""
-    if isinstance(faces, Mapping):
-        refuse(name, "faces must not be a dict; give a list of lists")
     if not faces:
         refuse(name, "there are no faces; give the mesh with its faces")
     lengths = []
@@ -107,7 +105,10 @@ def from_lists(name: str, faces: Any) -> Corners | None:
     shortest = min(range(len(faces)), key=lengths.__getitem__)
     if lengths[shortest] < 3:
         refuse(name, f"face f{shortest} has fewer than three corners")
-    flat = as_array(name, "faces", list(itertools.chain.from_iterable(faces)))
+    try:
+        flat = np.asarray(list(itertools.chain.from_iterable(faces)))
+    except ValueError:  # lists in lists in lists
+        flat = np.zeros((0, 0))
     if flat.ndim != 1:
         refuse(name, "faces must be lists of vertex numbers")
     offsets = np.concatenate([[0], np.cumsum(lengths)])

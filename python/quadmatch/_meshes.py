@@ -146,7 +146,8 @@ class Mesh:
             refuse(self.path, "the mesh has no positions, which meshio cannot do without")
         sizes = np.diff(self.offsets)
         bounds = [0, *(np.flatnonzero(np.diff(sizes)) + 1), len(sizes)]
-        cells, data = [], {key: [] for key, values in self.face_data.items() if not isinstance(values, tuple)}
+        cells = []
+        data: dict[str, list[Array]] = {key: [] for key, values in self.face_data.items() if not isinstance(values, tuple)}
         for first, last in zip(bounds, bounds[1:]):
             size = int(sizes[first])
             rows = self.corners[self.offsets[first]:self.offsets[last]].reshape(-1, size)
@@ -198,7 +199,7 @@ def as_mesh(name: str, value: object) -> Mesh:
     if hasattr(value, "vertices") and hasattr(value, "faces"):
         return Mesh(np.asarray(value.vertices), np.asarray(value.faces), name=name)
     shape = f", {kind(value)}" if isinstance(value, np.ndarray) else ""
-    refuse(name, f"this is no mesh but a {type(value).__name__}{shape}; give a quadmatch.Mesh, a path, or an object with "
+    refuse(name, f"this is no mesh but an object of type {type(value).__name__}{shape}; give a quadmatch.Mesh, a path, or an object with "
                  "vertices and faces")
 
 

@@ -15,6 +15,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "errors.hpp"
+#include "fitting.hpp"
 #include "match_options.hpp"
 #include "watch.hpp"
 
@@ -23,8 +24,6 @@ namespace {
 
 /// A region of a match, which it keeps alive.
 using RegionHandle = std::shared_ptr<Region>;
-
-MatchSide side_of(const MeshFile& file) { return {file.path, file.mesh.vertex_count(), file.mesh.face_count()}; }
 
 /// No match leaves this module that the definition does not allow.
 void check_sound(const Verdict& verdict) {
@@ -49,12 +48,6 @@ MatchHandle find_match(const MeshHandle& source, const MeshHandle& target, const
   check_sound(verdict);
   return std::make_shared<MatchFile>(
       MatchFile{side_of(*source), side_of(*target), std::move(result.match), settings_of(words), result.optimality});
-}
-
-/// Refuse a match of other meshes.
-void check_fits(const MatchFile& match, const MeshFile& source, const MeshFile& target) {
-  const Expected<void> fitting = fits(match, side_of(source), side_of(target));
-  if (!fitting) raise(fitting.error());
 }
 
 py::dict verified(const MeshHandle& source, const MeshHandle& target, const MatchHandle& match, std::size_t kept) {

@@ -88,7 +88,11 @@ Expected<std::vector<VertexId>> corners_of(std::span<const std::int64_t> indices
                                            const std::vector<std::uint32_t>& starts) {
   std::vector<VertexId> corners(indices.size());
   for (std::size_t k = 0; k < indices.size(); ++k) {
-    if (indices[k] < 0 || indices[k] >= vertex_count) {
+    if (indices[k] < 0) {
+      return refuse(ErrorCode::BadIndex,
+                    fmt::format("face f{} names vertex {}, but vertices count from 0", face_at(starts, k), indices[k]));
+    }
+    if (indices[k] >= vertex_count) {
       return refuse(ErrorCode::BadIndex,
                     fmt::format("face f{} names vertex {}, but there are only {} vertices, counted from 0",
                                 face_at(starts, k), indices[k], vertex_count));
@@ -98,7 +102,7 @@ Expected<std::vector<VertexId>> corners_of(std::span<const std::int64_t> indices
   return corners;
 }
 
-/// @pre corners and offsets fit in 32 bits (checked by Mesh::build for the former).
+/// From what Python gives to what the library takes, without a word to Python.
 Expected<Mesh> build(std::optional<std::span<const double>> positions, std::int64_t vertex_count,
                      std::span<const std::int64_t> indices, std::optional<std::span<const std::int64_t>> offsets) {
   if (indices.empty()) return refuse(ErrorCode::Empty, "there are no faces; give the mesh with its faces");

@@ -10,6 +10,7 @@
 
 #include "bindings.hpp"
 #include "errors.hpp"
+#include "fitting.hpp"
 #include "words.hpp"
 
 namespace quadmatch::python {
@@ -83,6 +84,7 @@ py::tuple carry_over(const MeshHandle& source, const MeshHandle& target, const M
                                 .positions = positions,
                                 .least_confidence = min_confidence};
   if (const Expected<void> fine = check_share("min_confidence", min_confidence); !fine) raise(fine.error());
+  check_fits(*match, *source, *target);
   Expected<Transferred> result = [&] {
     const py::gil_scoped_release released;
     return transfer(*source, *target, match->match, options);

@@ -1,0 +1,21 @@
+#pragma once
+/// Is a match of these meshes?
+
+#include <quadmatch/io/match_file.hpp>
+#include <quadmatch/io/mesh_file.hpp>
+
+#include "errors.hpp"
+
+namespace quadmatch::python {
+
+[[nodiscard]] inline MatchSide side_of(const MeshFile& file) {
+  return {file.path, file.mesh.vertex_count(), file.mesh.face_count()};
+}
+
+/// Refuse a match of meshes of other sizes, with a ValueError.
+inline void check_fits(const MatchFile& match, const MeshFile& source, const MeshFile& target) {
+  const Expected<void> fitting = fits(match, side_of(source), side_of(target));
+  if (!fitting) raise(fitting.error());
+}
+
+}  // namespace quadmatch::python
