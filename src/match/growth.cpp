@@ -33,7 +33,25 @@ bool Growth::fits(Candidate candidate) const {
   const FaceId r = target_.face(candidate.target);
   if (is_matched(q) || is_taken(r)) return false;
   const std::uint32_t size = source_.size(q);
-  return size == target_.size(r) && corners_agree(candidate, size) && neighbours_agree(candidate, size);
+  return size == target_.size(r) && corners_agree(candidate, size) && revisits_agree(candidate, size) &&
+         neighbours_agree(candidate, size);
+}
+
+/// A degenerate face visits a vertex twice; then its partner must do so at the same corners.
+bool Growth::revisits_agree(Candidate candidate, std::uint32_t size) const {
+  auto [s, t] = candidate;
+  for (std::uint32_t corner = 1; corner < size; ++corner) {
+    s = source_.next(s);
+    t = target_.next(t);
+    auto [before_s, before_t] = candidate;
+    for (std::uint32_t before = 0; before < corner; ++before) {
+      const bool again = source_.origin(before_s) == source_.origin(s);
+      if (again != (target_.origin(before_t) == target_.origin(t))) return false;
+      before_s = source_.next(before_s);
+      before_t = target_.next(before_t);
+    }
+  }
+  return true;
 }
 
 /// The vertex map stays a function and one-to-one.

@@ -74,6 +74,7 @@ class Growth {
   [[nodiscard]] static PerVertex<VertexState> unpaired(const Mesh& mesh, const PerFan<VertexCode>& codes);
 
   [[nodiscard]] bool corners_agree(Candidate candidate, std::uint32_t size) const;
+  [[nodiscard]] bool revisits_agree(Candidate candidate, std::uint32_t size) const;
   [[nodiscard]] bool neighbours_agree(Candidate candidate, std::uint32_t size) const;
 
   const Mesh& source_;

@@ -37,6 +37,20 @@ TEST_CASE("every match of two meshes of the zoo is sound, by either algorithm, e
   }
 }
 
+TEST_CASE("faces that visit a vertex twice are matched only if both do so at the same corners") {
+  const auto one_face = [](std::vector<VertexId> corners) {
+    const auto count = static_cast<std::uint32_t>(corners.size());
+    return test::build({.vertex_count = 3, .corners = std::move(corners), .face_starts = {0, count}});
+  };
+  const VertexId a(0), b(1), c(2);
+  const Mesh flat = one_face({a, a, a}), folded = one_face({a, a, b}), whole = one_face({a, b, c});
+  for (const Algorithm algorithm : kAlgorithms) {
+    CHECK(judged(flat, folded, {.algorithm = algorithm}).match.matched_faces() == 0);
+    CHECK(judged(whole, folded, {.algorithm = algorithm}).match.matched_faces() == 0);
+    CHECK(judged(folded, folded, {.algorithm = algorithm}).match.matched_faces() == 1);
+  }
+}
+
 TEST_CASE("a connected mesh of the zoo is matched whole with itself") {
   for (const auto& [name, soup] : test::well_formed_zoo()) {
     CAPTURE(name);
