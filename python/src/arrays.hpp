@@ -21,8 +21,9 @@ namespace py = pybind11;
 /// Elements of 32-bit ids as int32: ids are below 2^31 in all meshes that Python sees, and "none" reads as -1.
 template <class Element>
 [[nodiscard]] py::array ids_view(const Element* data, std::size_t count, const py::handle& owner) {
-  static_assert(std::is_standard_layout_v<Element> && sizeof(Element) % sizeof(std::uint32_t) == 0);
-  constexpr std::size_t kColumns = sizeof(Element) / sizeof(std::uint32_t);
+  constexpr std::size_t kIdBytes = 4;
+  static_assert(std::is_standard_layout_v<Element> && sizeof(Element) % kIdBytes == 0);
+  constexpr std::size_t kColumns = sizeof(Element) / kIdBytes;
   return view_of(py::dtype::of<std::int32_t>(), data, count, kColumns == 1 ? 0 : kColumns, owner);
 }
 
