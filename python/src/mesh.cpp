@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <optional>
 #include <span>
@@ -50,16 +51,15 @@ std::span<const Value> span_of(const py::array_t<Value, py::array::c_style>& arr
 Unexpected<Error> refuse(ErrorCode code, std::string message) { return Unexpected(Error{code, std::move(message)}); }
 
 Expected<std::vector<Point>> points_of(std::span<const double> numbers) {
-  std::vector<Point> points(numbers.size() / 3);
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    if (!std::isfinite(numbers[k])) {
-      return refuse(ErrorCode::BadNumber,
-                    fmt::format("a coordinate of vertex v{} is not a finite number; correct it, or give None for the "
-                                "positions",
-                                k / 3));
-    }
-    points[k / 3][k % 3] = numbers[k];
+  const auto wrong = std::find_if_not(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+  if (wrong != numbers.end()) {
+    return refuse(ErrorCode::BadNumber,
+                  fmt::format("a coordinate of vertex v{} is not a finite number; correct it, or give None for the "
+                              "positions",
+                              (wrong - numbers.begin()) / 3));
   }
+  std::vector<Point> points(numbers.size() / 3);
+  std::memcpy(points.data(), numbers.data(), numbers.size_bytes());
   return points;
 }
 
@@ -86,19 +86,17 @@ std::size_t face_at(const std::vector<std::uint32_t>& starts, std::size_t corner
 
 Expected<std::vector<VertexId>> corners_of(std::span<const std::int64_t> indices, std::int64_t vertex_count,
                                            const std::vector<std::uint32_t>& starts) {
-  std::vector<VertexId> corners(indices.size());
-  for (std::size_t k = 0; k < indices.size(); ++k) {
-    if (indices[k] < 0) {
-      return refuse(ErrorCode::BadIndex,
-                    fmt::format("face f{} names vertex {}, but vertices count from 0", face_at(starts, k), indices[k]));
-    }
-    if (indices[k] >= vertex_count) {
-      return refuse(ErrorCode::BadIndex,
-                    fmt::format("face f{} names vertex {}, but there are only {} vertices, counted from 0",
-                                face_at(starts, k), indices[k], vertex_count));
-    }
-    corners[k] = VertexId(static_cast<std::uint32_t>(indices[k]));
+  const auto outside = [vertex_count](std::int64_t index) { return index < 0 || index >= vertex_count; };
+  if (const auto wrong = std::find_if(indices.begin(), indices.end(), outside); wrong != indices.end()) {
+    const std::size_t face = face_at(starts, static_cast<std::size_t>(wrong - indices.begin()));
+    return refuse(ErrorCode::BadIndex,
+                  *wrong < 0 ? fmt::format("face f{} names vertex {}, but vertices count from 0", face, *wrong)
+                             : fmt::format("face f{} names vertex {}, but there are only {} vertices, counted from 0",
+                                           face, *wrong, vertex_count));
   }
+  std::vector<VertexId> corners;
+  corners.reserve(indices.size());
+  for (const std::int64_t index : indices) corners.emplace_back(static_cast<std::uint32_t>(index));
   return corners;
 }
 
