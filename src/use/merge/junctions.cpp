@@ -1,4 +1,4 @@
-#include "merge_junctions.hpp"
+#include "junctions.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 
 #include <quadmatch/io/mesh_file.hpp>
 
-#include "correspondence.hpp"
+#include "../transfer/correspondence.hpp"
 
 namespace quadmatch::use {
 

@@ -1,8 +1,8 @@
 #pragma once
 /// What a merge has to tell of the meshes: changes of either side, conflicts, doubts.
 
-#include "merge_layout.hpp"
-#include "merge_values.hpp"
+#include "layout.hpp"
+#include "values.hpp"
 
 namespace quadmatch::use {
 

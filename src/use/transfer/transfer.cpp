@@ -11,14 +11,14 @@
 
 #include <quadmatch/verify/verify.hpp>
 
-#include "carried_lines.hpp"
+#include "../data/carried_lines.hpp"
+#include "../data/numbering.hpp"
+#include "../data/scalar_types.hpp"
+#include "../data/texture_lists.hpp"
 #include "corner_data.hpp"
 #include "correspondence.hpp"
 #include "element_data.hpp"
 #include "face_records.hpp"
-#include "numbering.hpp"
-#include "scalar_types.hpp"
-#include "texture_lists.hpp"
 
 namespace quadmatch {
 namespace use {

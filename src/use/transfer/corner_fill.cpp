@@ -4,7 +4,7 @@
 #include <limits>
 #include <tuple>
 
-#include "harmonic.hpp"
+#include "../data/harmonic.hpp"
 
 namespace quadmatch::use {
 namespace {

@@ -1,11 +1,11 @@
-#include "merge_values.hpp"
+#include "values.hpp"
 
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "scalar_types.hpp"
+#include "../data/scalar_types.hpp"
 
 namespace quadmatch::use {
 namespace {

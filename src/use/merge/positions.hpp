@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "merge_layout.hpp"
-#include "merge_values.hpp"
+#include "layout.hpp"
+#include "values.hpp"
 
 namespace quadmatch::use {
 

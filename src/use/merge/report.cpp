@@ -1,4 +1,4 @@
-#include "merge_report.hpp"
+#include "report.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "harmonic.hpp"
-#include "scalar_types.hpp"
+#include "../data/harmonic.hpp"
+#include "../data/scalar_types.hpp"
 
 namespace quadmatch::use {
 namespace {

@@ -7,7 +7,7 @@
 #include <quadmatch/mesh/per_element.hpp>
 #include <quadmatch/mesh/polygon_soup.hpp>
 
-#include "merge_junctions.hpp"
+#include "junctions.hpp"
 
 namespace quadmatch::use {
 

@@ -10,11 +10,11 @@
 
 #include <quadmatch/verify/verify.hpp>
 
-#include "merge_positions.hpp"
-#include "merge_records.hpp"
-#include "merge_report.hpp"
-#include "scalar_types.hpp"
-#include "texture_lists.hpp"
+#include "../data/scalar_types.hpp"
+#include "../data/texture_lists.hpp"
+#include "positions.hpp"
+#include "records.hpp"
+#include "report.hpp"
 
 namespace quadmatch {
 namespace use {

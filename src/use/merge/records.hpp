@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "face_states.hpp"
-#include "merge_layout.hpp"
-#include "merge_values.hpp"
+#include "../data/face_states.hpp"
+#include "layout.hpp"
+#include "values.hpp"
 
 namespace quadmatch::use {
 

@@ -1,4 +1,4 @@
-#include "merge_layout.hpp"
+#include "layout.hpp"
 
 #include <algorithm>
 #include <map>

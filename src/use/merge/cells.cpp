@@ -1,4 +1,4 @@
-#include "merge_cells.hpp"
+#include "cells.hpp"
 
 #include <quadmatch/mesh/disjoint_sets.hpp>
 #include <quadmatch/mesh/per_element.hpp>

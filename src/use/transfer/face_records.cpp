@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "face_states.hpp"
+#include "../data/face_states.hpp"
 
 namespace quadmatch::use {
 namespace {

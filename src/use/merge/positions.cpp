@@ -1,9 +1,9 @@
-#include "merge_positions.hpp"
+#include "positions.hpp"
 
 #include <optional>
 #include <utility>
 
-#include "harmonic.hpp"
+#include "../data/harmonic.hpp"
 
 namespace quadmatch::use {
 namespace {

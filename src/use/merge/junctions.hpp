@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "merge_cells.hpp"
+#include "cells.hpp"
 
 namespace quadmatch::use {
 

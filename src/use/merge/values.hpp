@@ -11,7 +11,7 @@
 #include <quadmatch/io/mesh_file.hpp>
 #include <quadmatch/use/merge.hpp>
 
-#include "merge_cells.hpp"
+#include "cells.hpp"
 
 namespace quadmatch::use {
 

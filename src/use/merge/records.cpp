@@ -1,4 +1,4 @@
-#include "merge_records.hpp"
+#include "records.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "carried_lines.hpp"
-#include "numbering.hpp"
+#include "../data/carried_lines.hpp"
+#include "../data/numbering.hpp"
 
 namespace quadmatch::use {
 namespace {
