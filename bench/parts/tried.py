@@ -34,6 +34,10 @@ TRIED = {
         "*Exchange.* What differs are heavy edits and the most edited real pairs, where minimum cuts from the other "
         "side end in another optimum of nearly the same cost. Tried: calling ambiguous what costs nearly the same, which "
         "helped most.",
+    "carried UVs: exact, single edits":
+        "*Carried UVs.* Of a rotation-symmetric mesh that lost a row, nothing says which row was lost: the faces beside it, "
+        "which became taller, are doubtful, and what is doubtful is not carried unless asked for. Tried: faces that did not "
+        "move are certain; with `--allow-ambiguous` all of them are carried.",
 }
 
 
