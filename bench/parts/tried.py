@@ -38,6 +38,19 @@ TRIED = {
         "*Carried UVs.* Of a rotation-symmetric mesh that lost a row, nothing says which row was lost: the faces beside it, "
         "which became taller, are doubtful, and what is doubtful is not carried unless asked for. Tried: faces that did not "
         "move are certain; with `--allow-ambiguous` all of them are carried.",
+    "overlapping edits: a conflict":
+        "*Conflicts.* Twists of two neighbouring rings meet at no face: both can be done, and the merge has both.",
+    "merge of":
+        "*Time of a merge.* It reads three files, matches twice and checks its own result. Tried: a check of what can have "
+        "broken only. By processor time, which does not count on a second processor, the same is measured under "
+        "*What the uses cost* with other edits.",
+    "vertices paired with the one opposite, edited":
+        "*Mirrors of edited models.* Vertices within a few rows of the edit are missed, or a row off. The worst is a rook, which "
+        "is symmetric by rotation: bent and with a patch lifted, one copy got a mirror that is none of the model's. Tried: growth "
+        "from the centre line, pairs of rows laid across the edit, giving up what a mirror lays on its own side.",
+    "match from Python":
+        "*Python.* The time beyond the library's own goes mostly into verifying every match before the caller sees it, and into "
+        "taking in the arrays. Tried: arrays checked in one pass and copied in another.",
 }
 
 
