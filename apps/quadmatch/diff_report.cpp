@@ -152,26 +152,16 @@ std::map<ChangeKind, std::size_t> kinds_of(const Difference& difference) {
   return kinds;
 }
 
-/// To the microsecond.
-double rounded(double milliseconds) { return std::round(milliseconds * 1000.0) / 1000.0; }
-
-template <class IdType>
-Json ids_json(const std::vector<IdType>& ids) {
-  Json list = Json::array();
-  for (const IdType id : ids) list.push_back(id.value);
-  return list;
-}
-
 Json change_json(const Change& change) {
   return {{"kind", name_of(change.kind)},
           {"size", change.size()},
           {"rows", change.rows},
           {"edges", change.edges},
-          {"source_faces", ids_json(change.source_faces)},
-          {"target_faces", ids_json(change.target_faces)},
-          {"rejoined_source_faces", ids_json(change.rejoined)},
-          {"source_vertices", ids_json(change.source_vertices)},
-          {"target_vertices", ids_json(change.target_vertices)}};
+          {"source_faces", numbers(change.source_faces)},
+          {"target_faces", numbers(change.target_faces)},
+          {"rejoined_source_faces", numbers(change.rejoined)},
+          {"source_vertices", numbers(change.source_vertices)},
+          {"target_vertices", numbers(change.target_vertices)}};
 }
 
 Json doubt_json(const DoubtfulRegion& region) {

@@ -1,7 +1,6 @@
 #include "match_report.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -178,9 +177,6 @@ Json optimality_json(const Optimality& optimality) {
   }
   return json;
 }
-
-/// To the microsecond.
-double rounded(double milliseconds) { return std::round(milliseconds * 1000.0) / 1000.0; }
 
 }  // namespace
 

@@ -1,7 +1,6 @@
 #include "merge_report.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -138,13 +137,6 @@ std::string describe_conflicts(const MergeSummary& summary) {
   return fmt::format("{}; there OUT holds {}", joined(parts), name_of(summary.prefer));
 }
 
-template <class Id>
-Json numbers(const std::vector<Id>& ids) {
-  Json list = Json::array();
-  for (const Id id : ids) list.push_back(id.value);
-  return list;
-}
-
 Json area_json(const ConflictArea& area) {
   return {{"base_vertices", numbers(area.base_vertices)},     {"base_faces", numbers(area.base_faces)},
           {"ours_faces", numbers(area.ours_faces)},           {"theirs_faces", numbers(area.theirs_faces)},
@@ -174,9 +166,6 @@ Json doubtful_json(const DoubtfulPart& part) {
 
 /// A number, or null where the mesh has no such face.
 Json number(FaceId face) { return face.valid() ? Json(face.value) : Json(nullptr); }
-
-/// To the microsecond.
-double rounded(double milliseconds) { return std::round(milliseconds * 1000.0) / 1000.0; }
 
 }  // namespace
 

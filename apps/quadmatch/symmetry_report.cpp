@@ -101,13 +101,6 @@ void add_symmetrized(Lines& lines, const SymmetrizeSummary& done) {
   }
 }
 
-template <class Ids>
-Json numbers(const Ids& ids) {
-  Json result = Json::array();
-  for (const auto id : ids) result.push_back(id.value);
-  return result;
-}
-
 Json edges(const std::vector<std::pair<VertexId, VertexId>>& pairs) {
   Json result = Json::array();
   for (const auto& [a, b] : pairs) result.push_back({a.value, b.value});
@@ -118,9 +111,6 @@ Json plane_json(const std::optional<MirrorPlane>& plane) {
   if (!plane) return nullptr;
   return {{"normal", plane->normal}, {"offset", plane->offset}, {"error", plane->error}, {"fits", plane->fits()}};
 }
-
-/// To the microsecond.
-double rounded(double milliseconds) { return std::round(milliseconds * 1000.0) / 1000.0; }
 
 }  // namespace
 

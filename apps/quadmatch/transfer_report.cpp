@@ -1,7 +1,6 @@
 #include "transfer_report.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -118,9 +117,6 @@ std::string describe_order(const TransferSummary& summary) {
   }
   return "matched elements as in the source, the others behind them";
 }
-
-/// To the microsecond.
-double rounded(double milliseconds) { return std::round(milliseconds * 1000.0) / 1000.0; }
 
 Json attribute_json(const TransferredAttribute& attribute) {
   return {{"name", attribute.name},       {"elements", elements_of(attribute.domain)},

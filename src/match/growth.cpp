@@ -8,9 +8,22 @@ Growth::Growth(const Mesh& source, const PerFan<VertexCode>& source_codes, const
       target_(target),
       matched_(source.face_count(), false),
       taken_(target.face_count(), false),
+      folded_(has_folded_face(source) || has_folded_face(target)),
       image_of_first_(source.face_count()),
       source_vertices_(unpaired(source, source_codes)),
       target_vertices_(unpaired(target, target_codes)) {}
+
+bool Growth::has_folded_face(const Mesh& mesh) {
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const HalfedgeRange halfedges = mesh.halfedges(FaceId(f));
+    for (const HalfedgeId h : halfedges) {
+      for (const HalfedgeId before : halfedges) {
+        if (before < h && mesh.origin(before) == mesh.origin(h)) return true;
+      }
+    }
+  }
+  return false;
+}
 
 PerVertex<Growth::VertexState> Growth::unpaired(const Mesh& mesh, const PerFan<VertexCode>& codes) {
   PerVertex<VertexState> vertices(mesh.vertex_count());
@@ -33,7 +46,7 @@ bool Growth::fits(Candidate candidate) const {
   const FaceId r = target_.face(candidate.target);
   if (is_matched(q) || is_taken(r)) return false;
   const std::uint32_t size = source_.size(q);
-  return size == target_.size(r) && corners_agree(candidate, size) && revisits_agree(candidate, size) &&
+  return size == target_.size(r) && corners_agree(candidate, size) && (!folded_ || revisits_agree(candidate, size)) &&
          neighbours_agree(candidate, size);
 }
 

@@ -73,6 +73,7 @@ class Growth {
   };
   [[nodiscard]] static PerVertex<VertexState> unpaired(const Mesh& mesh, const PerFan<VertexCode>& codes);
 
+  [[nodiscard]] static bool has_folded_face(const Mesh& mesh);
   [[nodiscard]] bool corners_agree(Candidate candidate, std::uint32_t size) const;
   [[nodiscard]] bool revisits_agree(Candidate candidate, std::uint32_t size) const;
   [[nodiscard]] bool neighbours_agree(Candidate candidate, std::uint32_t size) const;
@@ -81,6 +82,7 @@ class Growth {
   const Mesh& target_;
   std::vector<bool> matched_;  // bits: the wavefront asks for little else
   std::vector<bool> taken_;
+  bool folded_;                         // some face visits a vertex twice
   PerFace<HalfedgeId> image_of_first_;  // image of each matched source face's first half-edge
   PerVertex<VertexState> source_vertices_;
   PerVertex<VertexState> target_vertices_;

@@ -1,6 +1,7 @@
 #include "correspondence.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "in_place.hpp"
@@ -12,7 +13,7 @@ namespace {
 class Choice {
  public:
   Choice(const Mesh& source, const Mesh& target, const TransferOptions& options, TransferReport& report)
-      : in_place_(source, target), options_(options), report_(report) {}
+      : source_(source), target_(target), options_(options), report_(report) {}
 
   /// The pairs of a region that are carried; the others are entered in the report.
   std::vector<FacePair> carried(const Match& match, std::size_t r) {
@@ -23,9 +24,8 @@ class Choice {
     }
     if (!region.ambiguous || options_.allow_ambiguous) return region.faces;
     // A match can leave a choice that positions do not: it was made without them, or does not ask them for single rows.
-    const auto certain = [&](const FacePair& pair) {
-      return options_.positions && in_place_.holds(pair, region.orientation);
-    };
+    if (options_.positions && !in_place_) in_place_.emplace(source_, target_);
+    const auto certain = [&](const FacePair& pair) { return in_place_ && in_place_->holds(pair, region.orientation); };
     std::vector<FacePair> faces = region.faces;
     const auto doubtful = std::stable_partition(faces.begin(), faces.end(), certain);
     leave_out(LeftOutRegion::Reason::Ambiguous, region, r, {doubtful, faces.end()});
@@ -41,7 +41,9 @@ class Choice {
                                 faces.front().target, region.ways, region.evidence.confidence()});
   }
 
-  InPlace in_place_;
+  const Mesh& source_;
+  const Mesh& target_;
+  std::optional<InPlace> in_place_;  // made when something is in doubt
   const TransferOptions& options_;
   TransferReport& report_;
 };
