@@ -151,6 +151,9 @@ test("keys: search finds a face, n flies to a change, Escape lets go, space play
   assert.match(await said(page), /^only in target: 21 faces around/);
   await page.keyboard.press("[");
   assert.equal(await page.inputValue("#wave"), String(Number(await page.getAttribute("#wave", "max")) - 1));
+  // From the first wave, so that it is still playing when it is looked at.
+  await page.locator("#wave").fill("0");
+  await page.locator("#wave").blur();
   await page.keyboard.press(" ");
   assert.equal(await page.textContent("#play"), "Pause");
   await page.close();
