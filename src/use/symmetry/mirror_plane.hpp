@@ -9,6 +9,9 @@
 
 namespace quadmatch::use {
 
+/// Of the size of a model, by how much half of the vertices may miss their partners in a plane that tells something.
+constexpr double kPlaneFits = 0.005;
+
 /// The mean length of the edges; 0 without positions.
 [[nodiscard]] double mean_edge(const Mesh& mesh);
 

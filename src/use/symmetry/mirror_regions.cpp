@@ -101,7 +101,7 @@ class Divider {
 
 }  // namespace
 
-PerHalfedge<HalfedgeId> images_of(const Mesh& mesh, const std::vector<Region>& regions) {
+PerHalfedge<HalfedgeId> images_of(const Mesh& mesh, const Mesh& other, const std::vector<Region>& regions) {
   PerHalfedge<HalfedgeId> images(mesh.halfedge_count());
   for (const Region& region : regions) {
     for (const FacePair& pair : region.faces) {
@@ -109,7 +109,7 @@ PerHalfedge<HalfedgeId> images_of(const Mesh& mesh, const std::vector<Region>& r
       for (std::uint32_t corner = 0; corner < size; ++corner) {
         // From v to w, so from the image of w to that of v: the half-edge that leaves the image of the next corner.
         const std::uint32_t tip = image_corner(region.orientation, pair.rotation, (corner + 1) % size, size);
-        images[HalfedgeId(mesh.first(pair.source).value + corner)] = HalfedgeId(mesh.first(pair.target).value + tip);
+        images[HalfedgeId(mesh.first(pair.source).value + corner)] = HalfedgeId(other.first(pair.target).value + tip);
       }
     }
   }

@@ -11,9 +11,10 @@
 
 namespace quadmatch::use {
 
-/// Of regions of a mesh on itself: the half-edge on which each lies, turned over; not valid where none.
+/// Of regions of a mesh on another, or itself: the half-edge on which each lies, turned over; not valid where none.
 /// @pre  they are reversing
-[[nodiscard]] PerHalfedge<HalfedgeId> images_of(const Mesh& mesh, const std::vector<Region>& regions);
+[[nodiscard]] PerHalfedge<HalfedgeId> images_of(const Mesh& mesh, const Mesh& other,
+                                                const std::vector<Region>& regions);
 
 /// The laid faces for which `wanted` holds, each with its partner, in regions that are sound: connected, one-to-one at
 /// vertices, adjacent exactly where their partners are. From the largest, ties by first face.

@@ -34,10 +34,13 @@ std::uint32_t unusualness(const std::optional<MirrorPlane>& plane) {
   return 3;
 }
 
-/// By what the right mirror is told from others, before anything that depends on the numbering.
-auto rank(const Mirror& mirror) {
+/// By what the right mirror is told from others, before anything that depends on the numbering. A plane says most; of a
+/// posed model it says next to nothing, and what counts is how far the mirror reaches.
+auto rank(const Mirror& mirror, std::uint32_t most) {
   const double off = mirror.plane ? mirror.plane->error : 0;
-  return std::make_tuple(mirror.line_length == 0, std::lround(std::min(off, 1.0) * 200),
+  const bool fits = off < kPlaneFits;
+  const double lost = fits ? 0 : 1 - static_cast<double>(mirror.faces) / most;
+  return std::make_tuple(mirror.line_length == 0, !fits, std::lround(lost * 50), std::lround(std::min(off, 1.0) * 200),
                          std::lround(std::min(mirror.misfit, 10.0) * 100), unusualness(mirror.plane));
 }
 
@@ -244,12 +247,12 @@ MirrorsOfComponent MirrorSearch::mirrors_of(std::uint32_t component) {
   if (found.mirrors.empty()) {
     try_germs(likely_germs(component), component, false, found);
     found.maybe_more = true;
-    std::uint32_t most = 0;
-    for (const Mirror& mirror : found.mirrors) most = std::max(most, mirror.faces);
-    std::erase_if(found.mirrors, [&](const Mirror& mirror) { return mirror.faces < kLeastShare * most; });
   }
-  std::stable_sort(found.mirrors.begin(), found.mirrors.end(), [](const Mirror& a, const Mirror& b) {
-    const auto left = rank(a), right = rank(b);
+  std::uint32_t most = 1;
+  for (const Mirror& mirror : found.mirrors) most = std::max(most, mirror.faces);
+  std::erase_if(found.mirrors, [&](const Mirror& mirror) { return mirror.faces < kLeastShare * most; });
+  std::stable_sort(found.mirrors.begin(), found.mirrors.end(), [&](const Mirror& a, const Mirror& b) {
+    const auto left = rank(a, most), right = rank(b, most);
     if (left != right) return left < right;
     return std::tie(b.faces, b.line_length) < std::tie(a.faces, a.line_length);
   });

@@ -1,6 +1,7 @@
 #include "one_sided.hpp"
 
 #include <cstdint>
+#include <utility>
 
 #include "mirror_regions.hpp"
 
@@ -13,7 +14,10 @@ constexpr std::uint32_t kNone = 0xffffffff;
 class Sides {
  public:
   Sides(const Mesh& mesh, const Components& components, const std::vector<Region>& regions)
-      : mesh_(mesh), images_(images_of(mesh, regions)), region_(mesh.face_count(), kNone), side_(mesh.face_count(), 0) {
+      : mesh_(mesh),
+        images_(images_of(mesh, mesh, regions)),
+        region_(mesh.face_count(), kNone),
+        side_(mesh.face_count(), 0) {
     for (std::uint32_t r = 0; r < regions.size(); ++r) {
       for (const FacePair& pair : regions[r].faces) region_[pair.source] = r;
     }
@@ -27,8 +31,7 @@ class Sides {
     spread();
   }
 
-  /// 1 or -1; 0 on the line and where there are no sides.
-  [[nodiscard]] int side(FaceId f) const { return side_[f]; }
+  [[nodiscard]] PerFace<std::int8_t> take() && { return std::move(side_); }
 
  private:
   [[nodiscard]] FaceId partner_of(FaceId f) const { return mesh_.face(images_[mesh_.first(f)]); }
@@ -90,13 +93,16 @@ class Sides {
 
 }  // namespace
 
-std::vector<bool> one_sided(const Mesh& mesh, const Components& components, const std::vector<Region>& regions) {
-  const Sides sides(mesh, components, regions);
+PerFace<std::int8_t> sides_of(const Mesh& mesh, const Components& components, const std::vector<Region>& regions) {
+  return Sides(mesh, components, regions).take();
+}
+
+std::vector<bool> one_sided(const PerFace<std::int8_t>& sides, const std::vector<Region>& regions) {
   std::vector<bool> result;
   for (const Region& region : regions) {
     std::size_t same = 0, across = 0;
     for (const FacePair& pair : region.faces) {
-      const int here = sides.side(pair.source), there = sides.side(pair.target);
+      const std::int8_t here = sides[pair.source], there = sides[pair.target];
       same += here != 0 && here == there;
       across += here != 0 && here == -there;
     }

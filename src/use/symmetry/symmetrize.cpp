@@ -28,7 +28,7 @@ class Sides {
   Sides(const Mesh& mesh, const Match& match, MirrorSide side)
       : mesh_(mesh),
         side_(side),
-        images_(images_of(mesh, match.regions)),
+        images_(images_of(mesh, mesh, match.regions)),
         area_(mesh.face_count(), kNone),
         faces_(mesh.face_count(), 0) {
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
@@ -118,7 +118,7 @@ bool carries_more_than_positions(Carry carry) {
 /// Half of the mirror: from one side to the other, and nothing back.
 Match half_of(const Mesh& mesh, const Match& match, const PerFace<std::int8_t>& sides) {
   const PerFan<VertexCode> codes = vertex_codes(mesh);
-  const PerHalfedge<HalfedgeId> images = images_of(mesh, match.regions);
+  const PerHalfedge<HalfedgeId> images = images_of(mesh, mesh, match.regions);
   MirrorMap map(mesh, codes);
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
     const HalfedgeId first = mesh.first(FaceId(f));

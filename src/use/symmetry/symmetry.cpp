@@ -24,12 +24,16 @@ namespace {
 
 /// Of the faces a match pairs in a component, how many must lie on each other both ways for it to be one mirror.
 constexpr double kOneMirror = 0.9;
+/// Of the faces a mirror lays, how many must lie so in the match for the two to be one.
+constexpr double kSameMirror = 0.98;
 /// How much farther than the largest region of the match another mirror must reach to be believed instead.
 constexpr double kFarther = 1.05;
 /// Places on the line of which growth is tried.
 constexpr std::size_t kMostGerms = 5;
 /// Rows of faces about an edit whose corners look different though they are opposite each other.
 constexpr int kRimLayers = 2;
+/// Rows of faces about what is left over that tell how it lies. With more, they count for more than it does.
+constexpr int kRowsAround = 2;
 /// Fewer faces that were cut off could lie anywhere.
 constexpr std::size_t kLeastIsland = 4;
 
@@ -71,16 +75,16 @@ class SymmetryFinder {
 
   Symmetry run() {
     Symmetry symmetry;
-    const Match match = match_with_image(mesh_, edge_ > 0 ? likely_plane(mesh_, edge_) : MirrorPlane());
+    const Match match = match_with_image(mesh_, mesh_, edge_ > 0 ? likely_plane(mesh_, edge_) : MirrorPlane());
     symmetry.complete = match.complete;
-    const PerHalfedge<HalfedgeId> images = images_of(mesh_, match.regions);
+    const PerHalfedge<HalfedgeId> images = images_of(mesh_, mesh_, match.regions);
     const std::vector<Tally> tallies = tallied(match, images);
     const std::uint32_t largest = largest_component();
     for (std::uint32_t c = 0; c < tallies.size() && symmetry.complete; ++c) {
       if (tallies[c].is_in_doubt()) {
-        settle(c, c == largest, symmetry, {});
+        settle(c, c == largest, symmetry, tallies[c], images);
       } else if (tallies[c].is_edited() &&
-                 !(tallies[c].is_patchwork() && settle(c, c == largest, symmetry, tallies[c]))) {
+                 !(tallies[c].is_patchwork() && settle(c, c == largest, symmetry, tallies[c], images))) {
         overrule(tallies[c], images);
       }
     }
@@ -96,15 +100,15 @@ class SymmetryFinder {
   }
 
  private:
-  /// The mesh on itself in a mirror: its faces turned over, and its positions mirrored too, so that a model at rest
-  /// lies on its image by a motion.
-  [[nodiscard]] Match match_with_image(const Mesh& mesh, const MirrorPlane& plane) const {
+  /// A mesh on another, or itself, in a mirror: its faces turned over, and its positions mirrored too, so that a model
+  /// at rest lies on its image by a motion.
+  [[nodiscard]] Match match_with_image(const Mesh& mesh, const Mesh& other, const MirrorPlane& plane) const {
     MatchOptions options;
     options.orientation = OrientationChoice::Reversing;
     options.positions = edge_ > 0;
     options.progress = options_.progress;
-    return edge_ > 0 ? quadmatch::match(mesh, moved(mesh, plane), options).match
-                     : quadmatch::match(mesh, mesh, options).match;
+    return edge_ > 0 ? quadmatch::match(mesh, moved(other, plane), options).match
+                     : quadmatch::match(mesh, other, options).match;
   }
 
   [[nodiscard]] std::uint32_t largest_component() const {
@@ -146,20 +150,37 @@ class SymmetryFinder {
   }
 
   /// Look through all mirrors of a component, and lay the best.
-  /// @return  false where what was matched already goes as far
-  bool settle(std::uint32_t component, bool is_largest, Symmetry& symmetry, const Tally& matched) {
+  /// @return  false where what was matched already goes as far, or goes the same way
+  bool settle(std::uint32_t component, bool is_largest, Symmetry& symmetry, const Tally& matched,
+              const PerHalfedge<HalfedgeId>& images) {
     if (!search_) search_.emplace(mesh_, codes_, components_, edge_);
     const MirrorsOfComponent found = search_->mirrors_of(component);
-    if (found.mirrors.empty() || found.mirrors.front().faces < kFarther * matched.largest) return false;
+    if (found.mirrors.empty()) return false;
+    const Mirror& best = found.mirrors.front();
+    if (!matched.is_in_doubt() && (best.faces < kFarther * matched.largest || agrees(best, images))) return false;
     if (is_largest) {
       for (const Mirror& mirror : found.mirrors) symmetry.mirrors += mirror.line_length > 0 ? 1 : 0;
       symmetry.mirrors = std::max(symmetry.mirrors, 1U);
       symmetry.maybe_more = found.maybe_more;
     }
-    map_.lay(found.mirrors.front().germ, Fit::Looks);
+    map_.lay(best.germ, Fit::Looks);
     map_.grow(Fit::Looks);
     settled_[component] = true;
     return true;
+  }
+
+  /// Does the match lay both ways what grows by this mirror? Then they are one, and the match knows better what was
+  /// lifted.
+  [[nodiscard]] bool agrees(const Mirror& mirror, const PerHalfedge<HalfedgeId>& images) const {
+    MirrorMap grown(mesh_, codes_);
+    grown.lay(mirror.germ, Fit::Looks);
+    grown.grow(Fit::Looks);
+    std::uint32_t same = 0;
+    for (const Germ& germ : grown.laid()) {
+      if (images[germ.from] != germ.to || images[germ.to] != germ.from) continue;
+      same += mesh_.face(germ.from) == mesh_.face(germ.to) ? 1 : 2;
+    }
+    return same >= kSameMirror * grown.faces();
   }
 
   /// A component with one mirror that was edited. What grows from its line, and sees that extraordinary vertices agree,
@@ -254,7 +275,7 @@ class SymmetryFinder {
   /// Give up what lies on its own side.
   void drop_one_sided() {
     const std::vector<Region> regions = regions_of(mesh_, codes_, map_, [](FaceId) { return true; });
-    const std::vector<bool> drops = one_sided(mesh_, components_, regions);
+    const std::vector<bool> drops = one_sided(sides_of(mesh_, components_, regions), regions);
     if (std::find(drops.begin(), drops.end(), true) == drops.end()) return;
     PerFace<std::uint8_t> is_dropped(mesh_.face_count(), 0);
     for (std::size_t r = 0; r < regions.size(); ++r) {
@@ -269,23 +290,73 @@ class SymmetryFinder {
     }
   }
 
-  /// What an edit cut off is a part of its own among the faces that are left, and so is what lies opposite.
+  /// What an edit cut off is a part of its own among the faces that are left, and so is what lies opposite: first on
+  /// the other side, told by what lies around, then anywhere.
   void lay_left_over() {
+    const std::vector<FaceId> left = left_over();
+    if (left.empty() || 2 * left.size() > mesh_.face_count()) return;
+    const MirrorPlane plane = fit_plane(mesh_, pairs_laid()).value_or(MirrorPlane());
+    const PerFace<std::int8_t> sides =
+        sides_of(mesh_, components_, regions_of(mesh_, codes_, map_, [](FaceId) { return true; }));
+    std::vector<FaceId> in_front, behind;
+    for (const FaceId face : with_rows_around(left)) {
+      if (sides[face] != 0) (sides[face] > 0 ? in_front : behind).push_back(face);
+    }
+    lay_parts(PartMesh(mesh_, std::move(in_front)), PartMesh(mesh_, std::move(behind)), plane);
+    const PartMesh part(mesh_, left_over());
+    lay_parts(part, part, plane);
+  }
+
+  [[nodiscard]] std::vector<FaceId> left_over() const {
     std::vector<FaceId> left;
     for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
       if (!map_.image(FaceId(f)).valid()) left.push_back(FaceId(f));
     }
-    if (left.empty() || 2 * left.size() > mesh_.face_count()) return;
-    const std::optional<MirrorPlane> plane = fit_plane(mesh_, pairs_laid());
-    const PartMesh part(mesh_, std::move(left));
-    const Match match = match_with_image(part.mesh(), plane.value_or(MirrorPlane()));
-    const PerHalfedge<HalfedgeId> images = images_of(part.mesh(), match.regions);
-    for (const Region& region : match.regions) {
+    return left;
+  }
+
+  /// Faces and some rows around them, with what is laid opposite; ascending.
+  [[nodiscard]] std::vector<FaceId> with_rows_around(const std::vector<FaceId>& faces) const {
+    PerFace<std::uint8_t> seen(mesh_.face_count(), 0);
+    std::vector<FaceId> reached;
+    const auto reach = [&](FaceId face) {
+      if (!face.valid() || seen[face] != 0) return;
+      seen[face] = 1;
+      reached.push_back(face);
+    };
+    for (const FaceId face : faces) reach(face);
+    std::size_t here = 0;
+    for (int row = 0; row < kRowsAround; ++row) {
+      for (const std::size_t end = reached.size(); here < end; ++here) {
+        for (const HalfedgeId h : mesh_.halfedges(reached[here])) {
+          const HalfedgeId beside = mesh_.twin(h);
+          if (!beside.valid()) continue;
+          reach(mesh_.face(beside));
+          reach(map_.image(mesh_.face(beside)));
+        }
+      }
+    }
+    std::sort(reached.begin(), reached.end());
+    return reached;
+  }
+
+  /// Lay what matches with the mirror image of the other part, and the same back again.
+  void lay_parts(const PartMesh& front, const PartMesh& back, const MirrorPlane& plane) {
+    if (front.mesh().face_count() == 0 || back.mesh().face_count() == 0) return;
+    const bool is_same = &front == &back;
+    const Match there = match_with_image(front.mesh(), back.mesh(), plane);
+    const PerHalfedge<HalfedgeId> images = images_of(front.mesh(), back.mesh(), there.regions);
+    const PerHalfedge<HalfedgeId> returns =
+        is_same ? images
+                : images_of(back.mesh(), front.mesh(), match_with_image(back.mesh(), front.mesh(), plane).regions);
+    for (const Region& region : there.regions) {
       for (const FacePair& pair : region.faces) {
-        const HalfedgeId first = part.mesh().first(pair.source);
-        if (images[images[first]] != first) continue;
-        map_.lay({part.to_whole(first), part.to_whole(images[first])},
-                 region.faces.size() < kLeastIsland ? Fit::Vertices : Fit::Free);
+        const HalfedgeId first = front.mesh().first(pair.source);
+        if (returns[images[first]] != first) continue;
+        const Germ germ{front.to_whole(first), back.to_whole(images[first])};
+        const bool is_doubtful = settled_[components_.of_face[mesh_.face(germ.from)]] && plane.error > kPlaneFits;
+        const bool is_free = region.faces.size() >= kLeastIsland && (is_same || !is_doubtful);
+        map_.lay(germ, is_free ? Fit::Free : Fit::Vertices);
       }
     }
   }
