@@ -60,6 +60,4 @@ bool paths_fit(const std::vector<std::string>& inputs, const std::string& output
   return true;
 }
 
-std::string display_name(const std::string& path) { return path == "-" ? "standard input" : path; }
-
 }  // namespace quadmatch::cli

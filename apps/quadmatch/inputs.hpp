@@ -8,6 +8,8 @@
 
 #include <quadmatch/io/mesh_file.hpp>
 
+#include "text.hpp"
+
 namespace quadmatch::cli {
 
 /// Read a mesh; an error is complained about. @param remarks  also warn of what the reader had to guess.
@@ -27,8 +29,5 @@ struct InputPair {
 /// output (empty: none) is one of the inputs. @param option  what names the output.
 [[nodiscard]] bool paths_fit(const std::vector<std::string>& inputs, const std::string& output,
                              const char* option = "-o");
-
-/// "a.obj", or "standard input" for `-`.
-[[nodiscard]] std::string display_name(const std::string& path);
 
 }  // namespace quadmatch::cli

@@ -17,6 +17,7 @@
 #include "dirt.hpp"
 #include "html_report.hpp"
 #include "inputs.hpp"
+#include "match_arguments.hpp"
 #include "match_report.hpp"
 #include "text.hpp"
 
@@ -48,58 +49,14 @@ With --at-least K it only settles whether there is a region of K faces or more.
 Exit status: 0 matched, in whole or in part; 1 nothing matched; 2 trouble.
 With --at-least: 0 yes, 1 no, 2 trouble, 3 not known when the time was over.)";
 
-const std::map<std::string, Algorithm> kAlgorithms{{"regions", Algorithm::Regions},
-                                                   {"lazy-greedy", Algorithm::LazyGreedy},
-                                                   {"greedy", Algorithm::Greedy},
-                                                   {"exact", Algorithm::Exact}};
-const std::map<std::string, OrientationChoice> kOrientations{{"auto", OrientationChoice::Auto},
-                                                             {"preserving", OrientationChoice::Preserving},
-                                                             {"reversing", OrientationChoice::Reversing}};
-const std::map<std::string, bool Stages::*> kStages{
-    {"equal-parts", &Stages::equal_parts}, {"seams", &Stages::seams},       {"ties", &Stages::ties},
-    {"slides", &Stages::slides},           {"ventures", &Stages::ventures}, {"slivers", &Stages::slivers},
-    {"islands", &Stages::islands},         {"restarts", &Stages::restarts}, {"acceptance", &Stages::acceptance},
-    {"doubts", &Stages::doubts},
-};
-
 template <class Choice>
 CLI::Validator one_of(const std::map<std::string, Choice>& choices) {
   return CLI::IsMember(choices).description("");  // the help names them in a sentence
 }
 
-struct MatchArguments {
-  std::string source, target;
-  std::string output;
-  std::string page;  // of the HTML report, empty: none
-  std::string algorithm = "regions";
-  std::string orientation = "auto";
-  std::vector<std::string> anchors;
-  bool arc_lengths = false;
-  std::uint32_t rounds = AnchorOptions{}.rounds;
-  bool no_positions = false;
-  std::vector<std::string> without;
-  double least_confidence = MatchOptions{}.least_confidence;
-  std::uint32_t least_region = MatchOptions{}.least_region;
-  std::uint32_t threads = 0;
-  double time_limit = 0;       // seconds, 0: none
-  std::uint32_t at_least = 0;  // 0: not asked
-  bool waves = false;
-  bool json = false;
-  bool quiet = false;
-};
-
+/// What was asked for, and whom to tell how far it is.
 MatchOptions options_of(const MatchArguments& arguments, Progress& progress) {
-  MatchOptions options;
-  options.algorithm = kAlgorithms.at(arguments.algorithm);
-  options.orientation = kOrientations.at(arguments.orientation);
-  options.anchor_search.rounds = arguments.rounds;
-  options.anchor_search.colouring.arc_lengths = arguments.arc_lengths;
-  options.positions = !arguments.no_positions;
-  for (const std::string& stage : arguments.without) options.stages.*kStages.at(stage) = false;
-  options.least_confidence = arguments.least_confidence;
-  options.least_region = arguments.least_region;
-  options.waves = arguments.waves || !arguments.page.empty();  // a report replays them
-  options.at_least = arguments.at_least;
+  MatchOptions options = options_of(arguments);
   if (!progress.visible() && arguments.time_limit == 0) return options;
   using Clock = std::chrono::steady_clock;
   const Clock::time_point began = Clock::now();
@@ -123,21 +80,6 @@ bool exact_options_fit(const MatchArguments& arguments) {
     return false;
   }
   return true;
-}
-
-/// What was asked for, as the match file remembers it.
-std::vector<std::pair<std::string, std::string>> settings_of(const MatchArguments& arguments) {
-  std::vector<std::pair<std::string, std::string>> settings{{"program", "quadmatch " QUADMATCH_VERSION},
-                                                            {"algorithm", arguments.algorithm},
-                                                            {"orientation", arguments.orientation},
-                                                            {"rounds", std::to_string(arguments.rounds)},
-                                                            {"arc_lengths", arguments.arc_lengths ? "true" : "false"},
-                                                            {"positions", arguments.no_positions ? "false" : "true"}};
-  if (arguments.time_limit != 0) settings.emplace_back("time_limit", fmt::format("{}", arguments.time_limit));
-  if (arguments.at_least != 0) settings.emplace_back("at_least", fmt::format("{}", arguments.at_least));
-  if (!arguments.without.empty()) settings.emplace_back("without", joined(arguments.without, " "));
-  if (!arguments.anchors.empty()) settings.emplace_back("anchors", joined(arguments.anchors, " "));
-  return settings;
 }
 
 /// Grow from the user's anchors, laid one way round.
@@ -312,12 +254,12 @@ void add_match_command(CLI::App& program, Action& chosen) {
           "regions: many anchors, many regions, belief by evidence. The paper's, of one region: lazy-greedy, the "
           "largest compatible component first; greedy, every face that fits, wave by wave. exact: the largest region, "
           "proved, for small meshes")
-      ->check(one_of(kAlgorithms))
+      ->check(one_of(algorithm_choices()))
       ->type_name("NAME")
       ->capture_default_str();
   verb->add_option("--orientation", arguments->orientation,
                    "preserving, reversing (a mirror image), or auto: reversing where preserving leaves much unmatched")
-      ->check(one_of(kOrientations))
+      ->check(one_of(orientation_choices()))
       ->type_name("NAME")
       ->capture_default_str();
   verb->add_option("--anchor", arguments->anchors,
@@ -347,7 +289,7 @@ void add_match_command(CLI::App& program, Action& chosen) {
                    "slivers, islands, restarts, acceptance, doubts")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(one_of(kStages))
+      ->check(one_of(stage_choices()))
       ->type_name("STAGE,...");
   verb->add_option("--time-limit", arguments->time_limit, "exact: stop after so long, with the best region so far")
       ->check(CLI::Range(0.001, 1e9).description(""))

@@ -6,7 +6,6 @@
 
 #include <quadmatch/mesh/per_element.hpp>
 
-#include "inputs.hpp"
 #include "json.hpp"
 #include "text.hpp"
 

@@ -39,13 +39,6 @@ Match found_match(const MatchWishes& wishes, const MeshFile& source, const MeshF
 
 }  // namespace
 
-const std::map<std::string, OrientationChoice>& orientation_choices() {
-  static const std::map<std::string, OrientationChoice> choices{{"auto", OrientationChoice::Auto},
-                                                                {"preserving", OrientationChoice::Preserving},
-                                                                {"reversing", OrientationChoice::Reversing}};
-  return choices;
-}
-
 bool wishes_fit(const MatchWishes& wishes) {
   if (wishes.file.empty() || (!wishes.no_positions && wishes.orientation == "auto")) return true;
   complain(fmt::format("{} is about matching, but --match gives the match; leave one of them out",

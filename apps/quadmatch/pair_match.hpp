@@ -1,7 +1,6 @@
 #pragma once
 /// The match that a verb puts to use: found here, or read from a file.
 
-#include <map>
 #include <optional>
 #include <string>
 
@@ -9,6 +8,7 @@
 
 #include "console.hpp"
 #include "inputs.hpp"
+#include "match_arguments.hpp"
 
 namespace quadmatch::cli {
 
@@ -19,9 +19,6 @@ struct MatchWishes {
   bool no_positions = false;
   bool waves = false;  ///< keep how a match that is found here grew
 };
-
-/// The names of --orientation.
-[[nodiscard]] const std::map<std::string, OrientationChoice>& orientation_choices();
 
 /// Complains where wishes about matching contradict a match that is given.
 [[nodiscard]] bool wishes_fit(const MatchWishes& wishes);

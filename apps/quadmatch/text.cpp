@@ -30,6 +30,8 @@ std::string duration(double milliseconds) {
   return fmt::format("{:.2f} s", milliseconds / 1000.0);
 }
 
+std::string display_name(const std::string& path) { return path == "-" ? "standard input" : path; }
+
 std::string joined(const std::vector<std::string>& parts, std::string_view separator) {
   return fmt::format("{}", fmt::join(parts, separator));
 }

@@ -16,6 +16,9 @@ namespace quadmatch::cli {
 [[nodiscard]] std::string percent(std::uint64_t part, std::uint64_t whole);
 /// "12 ms", "1.25 s".
 [[nodiscard]] std::string duration(double milliseconds);
+/// "a.obj", or "standard input" for `-`.
+[[nodiscard]] std::string display_name(const std::string& path);
+
 /// "a, b, c".
 [[nodiscard]] std::string joined(const std::vector<std::string>& parts, std::string_view separator = ", ");
 

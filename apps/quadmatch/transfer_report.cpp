@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "inputs.hpp"
 #include "json.hpp"
 #include "text.hpp"
 

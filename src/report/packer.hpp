@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace quadmatch::report {
@@ -44,6 +45,7 @@ class Blocks {
   void add(std::string name, const Packer& packer);
   [[nodiscard]] const std::vector<Block>& list() const { return list_; }
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
+  [[nodiscard]] std::string take_bytes() && { return std::move(bytes_); }
 
  private:
   std::vector<Block> list_;

@@ -45,6 +45,17 @@ struct ReportText {
 /// @par Cost   O(#corners).
 [[nodiscard]] std::vector<ReportChange> unmatched_areas(const Mesh& source, const Mesh& target, const Match& match);
 
+/// A report for a viewer that is there already: what stands in front of the bytes, as JSON, and the bytes.
+struct PackedReport {
+  std::string header;
+  std::string bytes;
+};
+
+/// What `format_report` puts into its page, and nothing of the page.
+/// @pre, @par Cost  as there.
+[[nodiscard]] PackedReport pack_report(const MeshFile& source, const MeshFile& target, const Match& match,
+                                       const ReportText& text);
+
 /// The report as the bytes of an HTML file; the same input gives the same bytes.
 ///
 /// @param source, target  any polygon meshes; without positions the figures and lists are shown, and no picture.

@@ -1,0 +1,67 @@
+#include "match_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include "text.hpp"
+
+namespace quadmatch::cli {
+
+const std::map<std::string, Algorithm>& algorithm_choices() {
+  static const std::map<std::string, Algorithm> choices{{"regions", Algorithm::Regions},
+                                                        {"lazy-greedy", Algorithm::LazyGreedy},
+                                                        {"greedy", Algorithm::Greedy},
+                                                        {"exact", Algorithm::Exact}};
+  return choices;
+}
+
+const std::map<std::string, OrientationChoice>& orientation_choices() {
+  static const std::map<std::string, OrientationChoice> choices{{"auto", OrientationChoice::Auto},
+                                                                {"preserving", OrientationChoice::Preserving},
+                                                                {"reversing", OrientationChoice::Reversing}};
+  return choices;
+}
+
+const std::map<std::string, bool Stages::*>& stage_choices() {
+  static const std::map<std::string, bool Stages::*> choices{{"equal-parts", &Stages::equal_parts},
+                                                             {"seams", &Stages::seams},
+                                                             {"ties", &Stages::ties},
+                                                             {"slides", &Stages::slides},
+                                                             {"ventures", &Stages::ventures},
+                                                             {"slivers", &Stages::slivers},
+                                                             {"islands", &Stages::islands},
+                                                             {"restarts", &Stages::restarts},
+                                                             {"acceptance", &Stages::acceptance},
+                                                             {"doubts", &Stages::doubts}};
+  return choices;
+}
+
+MatchOptions options_of(const MatchArguments& arguments) {
+  MatchOptions options;
+  options.algorithm = algorithm_choices().find(arguments.algorithm)->second;
+  options.orientation = orientation_choices().find(arguments.orientation)->second;
+  options.anchor_search.rounds = arguments.rounds;
+  options.anchor_search.colouring.arc_lengths = arguments.arc_lengths;
+  options.positions = !arguments.no_positions;
+  for (const std::string& stage : arguments.without) options.stages.*stage_choices().find(stage)->second = false;
+  options.least_confidence = arguments.least_confidence;
+  options.least_region = arguments.least_region;
+  options.waves = arguments.waves || !arguments.page.empty();  // a report replays them
+  options.at_least = arguments.at_least;
+  return options;
+}
+
+std::vector<std::pair<std::string, std::string>> settings_of(const MatchArguments& arguments) {
+  std::vector<std::pair<std::string, std::string>> settings{{"program", "quadmatch " QUADMATCH_VERSION},
+                                                            {"algorithm", arguments.algorithm},
+                                                            {"orientation", arguments.orientation},
+                                                            {"rounds", std::to_string(arguments.rounds)},
+                                                            {"arc_lengths", arguments.arc_lengths ? "true" : "false"},
+                                                            {"positions", arguments.no_positions ? "false" : "true"}};
+  if (arguments.time_limit != 0) settings.emplace_back("time_limit", fmt::format("{}", arguments.time_limit));
+  if (arguments.at_least != 0) settings.emplace_back("at_least", fmt::format("{}", arguments.at_least));
+  if (!arguments.without.empty()) settings.emplace_back("without", joined(arguments.without, " "));
+  if (!arguments.anchors.empty()) settings.emplace_back("anchors", joined(arguments.anchors, " "));
+  return settings;
+}
+
+}  // namespace quadmatch::cli
