@@ -1,7 +1,8 @@
 #include "session.hpp"
 
-#include <charconv>
 #include <chrono>
+#include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include <fmt/format.h>
@@ -40,13 +41,11 @@ class Stopwatch {
 
 MatchSide side_of(const MeshFile& file) { return {file.path, file.mesh.vertex_count(), file.mesh.face_count()}; }
 
-/// All of a text as a number from `least` to `most`.
-template <class Number>
-bool parse_number(const std::string& text, Number least, Number most, Number& number) {
-  Number parsed{};
-  const char* const end = text.data() + text.size();
-  const auto [stop, failure] = std::from_chars(text.data(), end, parsed);
-  if (failure != std::errc() || stop != end || !(parsed >= least && parsed <= most)) return false;
+/// All of a text as a number from `least` to `most`, every one of which a double holds exactly.
+bool parse_number(const std::string& text, double least, double most, double& number) {
+  char* stop = nullptr;
+  const double parsed = std::strtod(text.c_str(), &stop);  // libc++ has no std::from_chars of it
+  if (text.empty() || stop != text.c_str() + text.size() || !(parsed >= least && parsed <= most)) return false;
   number = parsed;
   return true;
 }
@@ -92,16 +91,18 @@ Expected<void> Session::choose(std::string_view name, const std::string& value) 
     known = choose_one(cli::orientation_choices(), value, arguments_.orientation);
   } else if (name == "positions") {
     known = value == "true" || value == "false";
-    arguments_.no_positions = value == "false";
+    if (known) arguments_.no_positions = value == "false";
   } else if (name == "min-region") {
-    known = parse_number(value, 0U, 0xffffffffU, arguments_.least_region);
+    double faces = 0;
+    known = parse_number(value, 0.0, 0xffffffff, faces) && faces == std::floor(faces);
+    if (known) arguments_.least_region = static_cast<std::uint32_t>(faces);
   } else if (name == "min-confidence") {
     known = parse_number(value, 0.0, 1.0, arguments_.least_confidence);
   } else if (name == "time-limit") {
     known = parse_number(value, 0.0, kMostSeconds, arguments_.time_limit);
   } else if (name == "prefer") {
     known = value == "ours" || value == "theirs";
-    prefer_ = value == "theirs" ? Side::Theirs : Side::Ours;
+    if (known) prefer_ = value == "theirs" ? Side::Theirs : Side::Ours;
   }
   if (!known) return refuse(fmt::format("{} cannot be \"{}\"", name, value));
   return {};

@@ -37,20 +37,30 @@ export class App {
   private focusedSide: SideName = "source";
   private replay!: ReturnType<typeof makeReplay>;
 
-  constructor(readonly report: Report, root: HTMLElement) {
+  private readonly ended = new AbortController();
+
+  constructor(readonly report: Report, private readonly root: HTMLElement) {
     this.views = { source: this.makeView("source"), target: this.makeView("target") };
     this.stage.append(this.canvas, this.views.source, this.views.target);
     this.replay = makeReplay(report.match, (wave) => {
       this.painting.wave = wave;
       this.repaint();
     });
-    const left = element("div", { class: "left" }, this.stage, this.replay.element, this.said);
+    const left = element("div", { class: "left" }, this.stage, ...this.reduction(), this.replay.element, this.said);
     root.append(this.header(), element("main", {}, left, this.aside()));
     this.startPicture();
     this.applyBackground();
     this.repaint();
     for (const layer of Object.keys(LAYERS) as Layer[]) this.picture?.show(layer, this.layers.has(layer));
     this.listen();
+  }
+
+  /** Take it off the page; it cannot be used after. */
+  dispose(): void {
+    this.ended.abort();
+    this.replay.stop();
+    this.picture?.dispose();
+    this.root.replaceChildren();
   }
 
   /** Pin a face and its partner, or let go of it. */
@@ -92,7 +102,7 @@ export class App {
       {},
       element("h1", {}, header.title),
       element("span", { class: "program" }, header.program),
-      themeButton(() => this.applyBackground()),
+      themeButton(() => this.applyBackground(), this.ended.signal),
     );
   }
 
@@ -131,6 +141,17 @@ export class App {
     view.append(element("span", { class: "name" }, name));
     view.addEventListener("focus", () => (this.focusedSide = side));
     return view;
+  }
+
+  /** Says where the picture has less than the meshes. */
+  private reduction(): HTMLElement[] {
+    const { shown, meshes } = this.report;
+    const parts = SIDES.flatMap((side) =>
+      shown[side] ? [`${grouped(shown[side].faces.length)} of the ${side}'s ${grouped(meshes[side].faceCount)} faces`] : [],
+    );
+    if (parts.length === 0) return [];
+    const text = `Drawn are ${parts.join(" and ")}, what has no partner first. Matching, figures, lists and files have all of them.`;
+    return [element("p", { class: "reduction", role: "note" }, text)];
   }
 
   private startPicture(): void {
@@ -255,6 +276,6 @@ export class App {
         box.checked = !box.checked;
         this.setLayer("wireframe", box.checked);
       },
-    });
+    }, this.ended.signal);
   }
 }

@@ -73,6 +73,19 @@ export function unpackMatch(header: ReportHeader, blocks: Map<string, Uint8Array
   return match;
 }
 
+/** The matched faces of the source, region by region, each by number. */
+function byRegion(match: MatchData): Uint32Array {
+  const { region } = match.source;
+  const starts = new Uint32Array(match.reversing.length + 1);
+  for (const r of region) if (r !== NONE) ++starts[r + 1];
+  for (let r = 0; r < match.reversing.length; ++r) starts[r + 1] += starts[r];
+  const faces = new Uint32Array(starts[match.reversing.length]);
+  region.forEach((r, f) => {
+    if (r !== NONE) faces[starts[r]++] = f;
+  });
+  return faces;
+}
+
 /** The partner of each vertex of `side`; where regions disagree the larger one, which stands first, wins. */
 export function vertexPartners(
   match: MatchData,
@@ -82,9 +95,7 @@ export function vertexPartners(
   const { source, target } = meshes;
   const forth = new Int32Array(source.vertexCount).fill(NONE);
   const back = new Int32Array(target.vertexCount).fill(NONE);
-  const byRegion = [...match.source.region.keys()].filter((f) => match.source.partner[f] !== NONE);
-  byRegion.sort((a, b) => match.source.region[a] - match.source.region[b] || a - b);
-  for (const f of byRegion) {
+  for (const f of byRegion(match)) {
     const g = match.source.partner[f];
     const size = source.starts[f + 1] - source.starts[f];
     for (let i = 0; i < size; ++i) {

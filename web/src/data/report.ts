@@ -6,6 +6,7 @@ import { unpackMatch } from "./match";
 import type { MeshData } from "./mesh";
 import { unpackMesh } from "./mesh";
 import { fromBase64, Unpacker } from "./unpacker";
+import type { Coarse } from "../picture/coarse";
 
 export interface Change {
   kind: string;
@@ -18,11 +19,17 @@ export interface Report {
   meshes: Record<SideName, MeshData>;
   match: MatchData;
   changes: Change[];
+  /** What is drawn of each mesh: null for all of it. */
+  shown: Record<SideName, Coarse | null>;
 }
 
 export function unpackReport(headerText: string, data: string): Report {
+  return unpackBytes(headerText, fromBase64(data.trim()));
+}
+
+export function unpackBytes(headerText: string, bytes: Uint8Array): Report {
   const header = parseHeader(headerText);
-  const blocks = blocksOf(header, fromBase64(data.trim()));
+  const blocks = blocksOf(header, bytes);
   const unpacker = new Unpacker(blocks.get("changes") ?? new Uint8Array());
   const meshes = {
     source: unpackMesh(header.source, "source", blocks),
@@ -37,5 +44,6 @@ export function unpackReport(headerText: string, data: string): Report {
       sentence,
       faces: { source: unpacker.list(), target: unpacker.list() },
     })),
+    shown: { source: null, target: null },
   };
 }

@@ -9,7 +9,9 @@ export function element<Tag extends keyof HTMLElementTagNameMap>(
 ): HTMLElementTagNameMap[Tag] {
   const made = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
-    if (value === true) made.setAttribute(name, "");
+    // As an attribute a strict content security policy would not let it pass.
+    if (name === "style") made.style.cssText = String(value);
+    else if (value === true) made.setAttribute(name, "");
     else if (value !== false) made.setAttribute(name, value);
   }
   made.append(...children);

@@ -37,7 +37,8 @@ function isTypedInto(target: EventTarget | null): boolean {
   return target instanceof HTMLElement && target.matches("input:not([type=checkbox]), select, textarea");
 }
 
-export function listenToKeys(events: KeyEvents): void {
+/** @param signal  ends it. */
+export function listenToKeys(events: KeyEvents, signal: AbortSignal): void {
   const onMesh: Record<string, () => void> = {
     ArrowLeft: () => events.turn(-TURN, 0, 1),
     ArrowRight: () => events.turn(TURN, 0, 1),
@@ -70,5 +71,5 @@ export function listenToKeys(events: KeyEvents): void {
     if (!act) return;
     event.preventDefault();
     act();
-  });
+  }, { signal });
 }

@@ -11,6 +11,7 @@ export interface Replay {
   show(wave: number): void;
   step(by: number): void;
   toggle(): void;
+  stop(): void;
 }
 
 export function describeWave(match: MatchData, wave: number): string {
@@ -53,6 +54,7 @@ export function makeReplay(match: MatchData, changed: (wave: number) => void): R
     step(by) {
       replay.show(wave + by);
     },
+    stop,
     toggle() {
       if (timer !== 0) {
         stop();

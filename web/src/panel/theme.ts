@@ -1,7 +1,8 @@
 /** Dark or light: the reader's system decides until the reader does. */
 import { button } from "./dom";
 
-export function themeButton(changed: () => void): HTMLButtonElement {
+/** @param signal  ends listening to the system. */
+export function themeButton(changed: () => void, signal?: AbortSignal): HTMLButtonElement {
   const dark = matchMedia("(prefers-color-scheme: dark)");
   const root = document.documentElement;
   const isDark = () => (root.dataset.theme ? root.dataset.theme === "dark" : dark.matches);
@@ -14,7 +15,7 @@ export function themeButton(changed: () => void): HTMLButtonElement {
     made.setAttribute("aria-label", `Switch to ${isDark() ? "light" : "dark"} colours`);
     changed();
   };
-  dark.addEventListener("change", tell);
+  dark.addEventListener("change", tell, { signal });
   tell();
   return made;
 }

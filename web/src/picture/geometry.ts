@@ -7,9 +7,8 @@ export interface Solid {
   positions: Float32Array;
   /** For each triangle corner 255 where it is; an edge that is none of the face's counts as far away everywhere. */
   edges: Uint8Array;
-  /** The face each triangle belongs to, and where the triangles of each face start. */
+  /** The face each triangle belongs to. */
   faceOf: Uint32Array;
-  trianglesOf: Uint32Array;
 }
 
 /** Where a mesh stands: the middle of its box and the radius that holds all of it. */
@@ -43,22 +42,28 @@ export function framed(positions: Float32Array, frame: Frame): Float32Array {
   return inside;
 }
 
-/** Every face as a fan of triangles from its first corner. */
-export function solidOf(mesh: MeshData, points: Float32Array): Solid {
-  const triangles = mesh.corners.length - 2 * mesh.faceCount;
+/** Polygons by their corners; without `faces` each is the face of its number. */
+export interface Polygons {
+  starts: Uint32Array;
+  corners: Uint32Array;
+  faces?: Uint32Array;
+}
+
+/** Every polygon as a fan of triangles from its first corner. */
+export function solidOf(mesh: Polygons, points: Float32Array): Solid {
+  const count = mesh.starts.length - 1;
+  const triangles = mesh.corners.length - 2 * count;
   const solid: Solid = {
     positions: new Float32Array(9 * triangles),
     edges: new Uint8Array(12 * triangles),
     faceOf: new Uint32Array(triangles),
-    trianglesOf: new Uint32Array(mesh.faceCount + 1),
   };
   let t = 0;
-  for (let f = 0; f < mesh.faceCount; ++f) {
-    solid.trianglesOf[f] = t;
+  for (let f = 0; f < count; ++f) {
     const first = mesh.starts[f];
     const size = mesh.starts[f + 1] - first;
     for (let k = 1; k + 1 < size; ++k, ++t) {
-      solid.faceOf[t] = f;
+      solid.faceOf[t] = mesh.faces ? mesh.faces[f] : f;
       const corners = [first, first + k, first + k + 1];
       // Opposite to the first corner lies a side of the face; to the others only at both ends of the fan.
       const isSide = [true, k + 2 === size, k === 1];
@@ -71,7 +76,6 @@ export function solidOf(mesh: MeshData, points: Float32Array): Solid {
       }
     }
   }
-  solid.trianglesOf[mesh.faceCount] = t;
   return solid;
 }
 
@@ -94,6 +98,15 @@ export function pointsOf(points: Float32Array, vertices: ArrayLike<number>): Flo
     for (let axis = 0; axis < 3; ++axis) chosen[3 * i + axis] = points[3 * vertices[i] + axis];
   }
   return chosen;
+}
+
+/** Some faces of a mesh, as polygons. */
+export function facesOf(mesh: MeshData, faces: readonly number[]): Polygons {
+  const starts = new Uint32Array(faces.length + 1);
+  faces.forEach((face, i) => (starts[i + 1] = starts[i] + mesh.starts[face + 1] - mesh.starts[face]));
+  const corners = new Uint32Array(starts[faces.length]);
+  faces.forEach((face, i) => corners.set(mesh.corners.subarray(mesh.starts[face], mesh.starts[face + 1]), starts[i]));
+  return { starts, corners, faces: Uint32Array.from(faces) };
 }
 
 /** Ends of all sides of some faces. */

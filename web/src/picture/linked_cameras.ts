@@ -46,6 +46,10 @@ export class LinkedCameras {
     }
   }
 
+  dispose(): void {
+    for (const side of SIDES) this.controls[side].dispose();
+  }
+
   lookOf(side: SideName): Look {
     const centre = this.controls[side].target.clone();
     return { centre, offset: this.cameras[side].position.clone().sub(centre) };

@@ -9,7 +9,8 @@ import type { MeshData } from "../data/mesh";
 import type { Rgb } from "./colours";
 import { valenceColour } from "./colours";
 import type { Frame, Solid } from "./geometry";
-import { extentOf, framed, frameOf, linesOf, normalOf, outlinesOf, pointsOf, solidOf } from "./geometry";
+import type { Coarse } from "./coarse";
+import { extentOf, facesOf, framed, frameOf, linesOf, normalOf, outlinesOf, pointsOf, solidOf } from "./geometry";
 import { faceMaterial, lineMaterial, pointMaterial, veilMaterial } from "./materials";
 
 /** What can be shown on top of the faces. */
@@ -35,6 +36,8 @@ export interface PaneOptions {
   side: SideName;
   mesh: MeshData;
   match: MatchData;
+  /** Drawn instead of the mesh's faces, where they are too many. */
+  shown: Coarse | null;
 }
 
 function geometryOf(points: Float32Array): BufferGeometry {
@@ -57,10 +60,10 @@ export class Pane {
   private tree: MeshBVH | null = null;
 
   constructor(private readonly options: PaneOptions) {
-    const { mesh } = options;
+    const { mesh, shown } = options;
     const frame = frameOf(mesh.positions!);
     this.points = framed(mesh.positions!, frame);
-    this.solid = solidOf(mesh, this.points);
+    this.solid = solidOf(shown ?? mesh, this.points);
     this.paint = new Uint8Array(12 * this.solid.faceOf.length);
     this.paintAttribute = new BufferAttribute(this.paint, 4, true);
     const geometry = geometryOf(this.solid.positions);
@@ -73,13 +76,18 @@ export class Pane {
   /** Give every face its colour; hatch those that are told so. */
   paintFaces(colourOf: (face: number) => Rgb, hatched: (face: number) => boolean): void {
     const { paint, solid } = this;
-    for (let f = 0; f < this.options.mesh.faceCount; ++f) {
-      const [red, green, blue] = colourOf(f);
-      const alpha = hatched(f) ? 0 : 255;
-      for (let at = 12 * solid.trianglesOf[f]; at < 12 * solid.trianglesOf[f + 1]; at += 4) {
-        paint[at] = red;
-        paint[at + 1] = green;
-        paint[at + 2] = blue;
+    let colour: Rgb = [0, 0, 0];
+    let alpha = 255;
+    for (let t = 0; t < solid.faceOf.length; ++t) {
+      const face = solid.faceOf[t];
+      if (t === 0 || face !== solid.faceOf[t - 1]) {
+        colour = colourOf(face);
+        alpha = hatched(face) ? 0 : 255;
+      }
+      for (let at = 12 * t; at < 12 * (t + 1); at += 4) {
+        paint[at] = colour[0];
+        paint[at + 1] = colour[1];
+        paint[at + 2] = colour[2];
         paint[at + 3] = alpha;
       }
     }
@@ -108,7 +116,7 @@ export class Pane {
     this.marks[kind] = [];
     if (faces.length === 0) return;
     const rgb = kind === "pointed" ? POINTED : PINNED;
-    const veil = new Mesh(geometryOf(this.trianglesOf(faces)), veilMaterial(rgb, faces.length === 1 ? 0.85 : 0.35));
+    const veil = new Mesh(geometryOf(solidOf(facesOf(this.options.mesh, faces), this.points).positions), veilMaterial(rgb, faces.length === 1 ? 0.85 : 0.35));
     const outline = new LineSegments(
       geometryOf(outlinesOf(this.options.mesh, this.points, faces)),
       lineMaterial([20, 20, 20], true),
@@ -194,26 +202,19 @@ export class Pane {
     return new Points(geometry, this.pointMaterials[material]);
   }
 
-  private trianglesOf(faces: readonly number[]): Float32Array {
-    const { positions, trianglesOf } = this.solid;
-    const parts = faces.map((f) => positions.subarray(9 * trianglesOf[f], 9 * trianglesOf[f + 1]));
-    const all = new Float32Array(parts.reduce((sum, part) => sum + part.length, 0));
-    let at = 0;
-    for (const part of parts) {
-      all.set(part, at);
-      at += part.length;
-    }
-    return all;
-  }
-
   private add(object: Object3D): void {
     object.frustumCulled = false;
     this.scene.add(object);
   }
 
+  /** Give the memory of the graphics card back. */
+  dispose(): void {
+    for (const object of [...this.scene.children]) this.remove(object);
+  }
+
   private remove(object: Object3D): void {
     this.scene.remove(object);
-    if (!(object instanceof Mesh || object instanceof LineSegments)) return;
+    if (!(object instanceof Mesh || object instanceof LineSegments || object instanceof Points)) return;
     object.geometry.dispose();
     (object.material as Material).dispose();
   }

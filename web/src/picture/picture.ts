@@ -24,6 +24,7 @@ export class Picture {
   private readonly panes: Record<SideName, Pane>;
   readonly cameras: LinkedCameras;
   private readonly field: Uint8Array;
+  private readonly sizes: ResizeObserver;
   private waiting = false;
   /** Set when faces have their colours; before, there is nothing to see. */
   private painted = false;
@@ -39,16 +40,28 @@ export class Picture {
   ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true });
     this.renderer.setScissorTest(true);
-    const { meshes, match } = report;
+    const { meshes, match, shown } = report;
     this.panes = {
-      source: new Pane({ side: "source", mesh: meshes.source, match }),
-      target: new Pane({ side: "target", mesh: meshes.target, match }),
+      source: new Pane({ side: "source", mesh: meshes.source, match, shown: shown.source }),
+      target: new Pane({ side: "target", mesh: meshes.target, match, shown: shown.target }),
     };
     this.field = fieldColours(meshes.source);
     this.cameras = new LinkedCameras(surfaces, () => this.draw());
     for (const side of SIDES) this.listen(side);
-    new ResizeObserver(() => this.resize()).observe(canvas);
+    this.sizes = new ResizeObserver(() => this.resize());
+    this.sizes.observe(canvas);
     this.resize();
+  }
+
+  /** Let go of the graphics card: a browser has few of its contexts. */
+  dispose(): void {
+    this.painted = false;
+    ++this.flight;
+    this.sizes.disconnect();
+    for (const side of SIDES) this.panes[side].dispose();
+    this.cameras.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
   }
 
   setBackground(colour: string): void {
