@@ -9,7 +9,7 @@ import { ROOT } from "./root.mjs";
 
 export { ROOT };
 export const EXAMPLES = join(ROOT, "examples");
-const BUILD = resolve(process.env.QUADMATCH_BUILD ?? join(ROOT, "build/release"));
+export const BUILD = resolve(process.env.QUADMATCH_BUILD ?? join(ROOT, "build/release"));
 
 /** A folder that is gone when the tests are over. */
 export const folder = mkdtempSync(join(tmpdir(), "quadmatch-web-"));
@@ -29,15 +29,17 @@ export function report(source, target, ...more) {
   return { page: `${name}.html`, match: JSON.parse(readFileSync(`${name}.json`, "utf8")) };
 }
 
-export function launch() {
+const BY_SOFTWARE = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+
+export function launch(...flags) {
   return chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+    args: ["--no-sandbox", ...(flags.length > 0 ? flags : BY_SOFTWARE)],
   });
 }
 
-/** Open a report; what goes wrong in it, or what it asks of the network, is kept in `page.troubles`. */
-export async function open(browser, path, options = {}) {
+/** A page whose `troubles` keep what goes wrong in it, and what it asks of the network that `allowed` does not allow. */
+export async function watched(browser, allowed, options = {}) {
   const { script, ...context } = options;
   const page = await browser.newPage({ viewport: { width: 1200, height: 760 }, reducedMotion: "reduce", ...context });
   page.troubles = [];
@@ -50,9 +52,15 @@ export async function open(browser, path, options = {}) {
     dialog.dismiss();
   });
   page.on("request", (request) => {
-    if (request.url() !== pathToFileURL(path).href && !/^(data|blob):/.test(request.url())) page.troubles.push(request.url());
+    if (!allowed(request.url()) && !/^(data|blob):/.test(request.url())) page.troubles.push(request.url());
   });
   if (script) await page.addInitScript(script);
+  return page;
+}
+
+/** Open a report from disk, which may ask for nothing else. */
+export async function open(browser, path, options = {}) {
+  const page = await watched(browser, (address) => address === pathToFileURL(path).href, options);
   await page.goto(pathToFileURL(path).href);
   await page.waitForFunction(() => window.quadmatch !== undefined || document.querySelector("[role=alert]"));
   return page;
