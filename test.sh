@@ -30,7 +30,7 @@ scripts/build_web.sh --test
 stage "the layers below the front ends, without exceptions"
 build no-exceptions
 if [ $core = no ]; then
-  stage "the same as WebAssembly: without threads either"
+  stage "the same as WebAssembly, the engine of the page: without threads either"
   scripts/build_wasm.sh
 fi
 
@@ -50,7 +50,7 @@ if [ $core = no ]; then
 fi
 
 if [ $core = no ]; then
-  stage "reports in a browser"
+  stage "reports and the page in a browser"
   scripts/test_web.sh
 fi
 

@@ -18,21 +18,37 @@ export interface Coarse {
 const SHARE_KEPT = 0.5;
 const MOST_TRIALS = 5;
 
-/** A number for the cell of each vertex, and of those with the same the first as all of theirs. */
+/** For each vertex the one that stands for all in its cell: the nearest to its middle, and of such the first. */
 function representatives(positions: Float32Array, cell: number, low: number[], sizes: number[], kept: Uint8Array): Uint32Array {
   const across = Math.floor(sizes[0] / cell) + 1;
   const deep = Math.floor(sizes[1] / cell) + 1;
-  const first = new Map<number, number>();
-  const stands = new Uint32Array(positions.length / 3);
-  for (let v = 0; v < stands.length; ++v) {
-    stands[v] = v;
+  const count = positions.length / 3;
+  const cells = new Map<number, number>();
+  const nearest: number[] = [];
+  const distances: number[] = [];
+  const cellOf = new Uint32Array(count);
+  for (let v = 0; v < count; ++v) {
     if (kept[v] !== 0) continue;
-    const [x, y, z] = [0, 1, 2].map((axis) => Math.floor((positions[3 * v + axis] - low[axis]) / cell));
-    const key = x + across * (y + deep * z);
-    const found = first.get(key);
-    if (found === undefined) first.set(key, v);
-    else stands[v] = found;
+    const x = (positions[3 * v] - low[0]) / cell;
+    const y = (positions[3 * v + 1] - low[1]) / cell;
+    const z = (positions[3 * v + 2] - low[2]) / cell;
+    const [i, j, k] = [Math.floor(x), Math.floor(y), Math.floor(z)];
+    const distance = (x - i - 0.5) ** 2 + (y - j - 0.5) ** 2 + (z - k - 0.5) ** 2;
+    const key = i + across * (j + deep * k);
+    let found = cells.get(key);
+    if (found === undefined) {
+      found = nearest.length;
+      cells.set(key, found);
+      nearest.push(v);
+      distances.push(distance);
+    } else if (distance < distances[found]) {
+      nearest[found] = v;
+      distances[found] = distance;
+    }
+    cellOf[v] = found;
   }
+  const stands = new Uint32Array(count);
+  for (let v = 0; v < count; ++v) stands[v] = kept[v] !== 0 ? v : nearest[cellOf[v]];
   return stands;
 }
 
