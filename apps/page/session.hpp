@@ -72,7 +72,7 @@ class Session {
 
   Listener listener_;
   std::array<std::optional<MeshFile>, 3> files_;
-  cli::MatchArguments arguments_;
+  cli::MatchingArguments arguments_;
   Side prefer_ = Side::Ours;
   std::optional<MatchResult> result_;
 };

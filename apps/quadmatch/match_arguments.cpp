@@ -35,7 +35,7 @@ const std::map<std::string, bool Stages::*>& stage_choices() {
   return choices;
 }
 
-MatchOptions options_of(const MatchArguments& arguments) {
+MatchOptions options_of(const MatchingArguments& arguments) {
   MatchOptions options;
   options.algorithm = algorithm_choices().find(arguments.algorithm)->second;
   options.orientation = orientation_choices().find(arguments.orientation)->second;
@@ -45,12 +45,12 @@ MatchOptions options_of(const MatchArguments& arguments) {
   for (const std::string& stage : arguments.without) options.stages.*stage_choices().find(stage)->second = false;
   options.least_confidence = arguments.least_confidence;
   options.least_region = arguments.least_region;
-  options.waves = arguments.waves || !arguments.page.empty();  // a report replays them
+  options.waves = arguments.waves;
   options.at_least = arguments.at_least;
   return options;
 }
 
-std::vector<std::pair<std::string, std::string>> settings_of(const MatchArguments& arguments) {
+std::vector<std::pair<std::string, std::string>> settings_of(const MatchingArguments& arguments) {
   std::vector<std::pair<std::string, std::string>> settings{{"program", "quadmatch " QUADMATCH_VERSION},
                                                             {"algorithm", arguments.algorithm},
                                                             {"orientation", arguments.orientation},

@@ -10,25 +10,19 @@
 
 namespace quadmatch::cli {
 
-struct MatchArguments {
-  std::string source, target;
-  std::string output;
-  std::string page;  ///< of the HTML report, empty: none
+struct MatchingArguments {
   std::string algorithm = "regions";
   std::string orientation = "auto";
-  std::vector<std::string> anchors;
+  std::vector<std::string> anchors = {};
   bool arc_lengths = false;
   std::uint32_t rounds = AnchorOptions{}.rounds;
   bool no_positions = false;
-  std::vector<std::string> without;
+  std::vector<std::string> without = {};
   double least_confidence = MatchOptions{}.least_confidence;
   std::uint32_t least_region = MatchOptions{}.least_region;
-  std::uint32_t threads = 0;
   double time_limit = 0;       ///< seconds, 0: none
   std::uint32_t at_least = 0;  ///< 0: not asked
-  bool waves = false;
-  bool json = false;
-  bool quiet = false;
+  bool waves = false;          ///< in the match file
 };
 
 /// The names of --algorithm, of --orientation, and of what --without leaves out.
@@ -38,9 +32,9 @@ struct MatchArguments {
 
 /// The same for the library, but for anchors, which need the meshes, and for progress.
 /// @pre  the words are names of the choices.
-[[nodiscard]] MatchOptions options_of(const MatchArguments& arguments);
+[[nodiscard]] MatchOptions options_of(const MatchingArguments& arguments);
 
 /// What was asked for, as the match file remembers it.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> settings_of(const MatchArguments& arguments);
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> settings_of(const MatchingArguments& arguments);
 
 }  // namespace quadmatch::cli
