@@ -40,6 +40,8 @@ class Progress {
   [[nodiscard]] bool visible() const { return visible_; }
   /// What is being done now: "reading a.obj".
   void stage(const std::string& what);
+  /// A line as it is, not more often than one can read.
+  void line(const std::string& text) { show(text); }
   /// And how far.
   void update(std::size_t done, std::size_t most);
   void clear();

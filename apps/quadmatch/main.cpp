@@ -55,6 +55,8 @@ int run(int argc, char** argv) {
   add_check_command(program, chosen);
   add_diff_command(program, chosen);
   add_skeleton_command(program, chosen);
+  add_batch_command(program, chosen);
+  add_batch_merge_command(program, chosen);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& request) {

@@ -32,6 +32,17 @@ std::string duration(double milliseconds) {
 
 std::string display_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
+std::string byte_size(std::uint64_t bytes) {
+  double size = static_cast<double>(bytes) / 1e3;
+  const char* unit = "kB";
+  for (const char* larger : {"MB", "GB", "TB"}) {
+    if (size < 1000) break;
+    size /= 1e3;
+    unit = larger;
+  }
+  return size < 10 ? fmt::format("{:.1f} {}", size, unit) : fmt::format("{:.0f} {}", size, unit);
+}
+
 std::string joined(const std::vector<std::string>& parts, std::string_view separator) {
   return fmt::format("{}", fmt::join(parts, separator));
 }

@@ -18,7 +18,8 @@ namespace quadmatch::cli {
 [[nodiscard]] std::string duration(double milliseconds);
 /// "a.obj", or "standard input" for `-`.
 [[nodiscard]] std::string display_name(const std::string& path);
-
+/// "640 kB", "1.5 GB"; a thousand bytes are a kB.
+[[nodiscard]] std::string byte_size(std::uint64_t bytes);
 /// "a, b, c".
 [[nodiscard]] std::string joined(const std::vector<std::string>& parts, std::string_view separator = ", ");
 
