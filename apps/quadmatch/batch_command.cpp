@@ -45,7 +45,7 @@ Examples:
   quadmatch batch jobs.csv -o results --threads 8 --memory 16G --no-positions
   quadmatch batch jobs.csv -o shard-2 --shard 2/5    on the second of five machines, and then
   quadmatch batch-merge shard-* -o results
-  sqlite3 results/results.sqlite "SELECT source, target FROM pairs WHERE matched_faces < source_faces"
+  sqlite3 results/results.sqlite "SELECT * FROM pairs WHERE matched_faces < source_faces"
 
 Exit status: 0 all pairs are done; 1 some failed or were refused; 2 trouble, run it again.)";
 

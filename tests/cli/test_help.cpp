@@ -11,7 +11,8 @@ using namespace quadmatch::test;
 
 namespace {
 
-const std::vector<std::string> kVerbs{"match", "transfer", "symmetry", "merge", "verify", "check", "diff", "skeleton"};
+const std::vector<std::string> kVerbs{"match", "transfer", "symmetry", "merge", "verify",
+                                      "check", "diff",     "skeleton", "batch", "batch-merge"};
 
 std::size_t longest_line(const std::string& text) {
   std::size_t longest = 0;
@@ -40,8 +41,11 @@ TEST_CASE("the help of every verb has a usage line, options, examples and exit s
     const Outcome help = folder.run({verb, "--help"});
     CHECK(help.status == 0);
     CHECK(help.err.empty());
-    CHECK(
-        contains(help.out, "Usage: quadmatch " + verb + " [OPTIONS] " + (verb == "merge" ? "BASE OURS THEIRS" : "A")));
+    const std::string takes = verb == "merge"         ? "BASE OURS THEIRS"
+                              : verb == "batch"       ? "JOBS"
+                              : verb == "batch-merge" ? "FOLDER"
+                                                      : "A";
+    CHECK(contains(help.out, "Usage: quadmatch " + verb + " [OPTIONS] " + takes));
     CHECK(contains(help.out, "\n  --json "));
     CHECK(contains(help.out, "\n  --quiet "));
     CHECK(contains(help.out, "\nExamples:\n  quadmatch " + verb + " "));
