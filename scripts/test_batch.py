@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Kill quadmatch batch again and again, and see that nothing of it is lost, repeated or changed.
 
-usage: scripts/test_batch.py [--build FOLDER] [--pairs N] [--kills K] [--seed S]
+usage: scripts/test_batch.py [--build FOLDER] [--pairs N] [--kills K] [--seed S] [--only-make FOLDER]
 
 Makes N small pairs, does them in one go, then again with SIGKILL at K random moments and a resumption after each. The
 results of both must be the same, byte by byte but for times; what a killed run had recorded must stay as it was, times
@@ -114,10 +114,14 @@ def columns_of(results):
         return [row[1] for row in connection.execute("PRAGMA table_info(pairs)")]
 
 
-def test(options, folder):
-    names = make_meshes(options.build, folder, 160)
+def make_jobs(options, folder):
     jobs = folder / "jobs.csv"
-    write_list(jobs, names, options.pairs, "matches")
+    write_list(jobs, make_meshes(options.build, folder, 160), options.pairs, "matches")
+    return jobs
+
+
+def test(options, folder):
+    jobs = make_jobs(options, folder)
     started = time.perf_counter()
     run(*batch(options.build, jobs, folder / "whole"), statuses=(1,))
     took = time.perf_counter() - started
@@ -152,8 +156,12 @@ def main():
     parser.add_argument("--pairs", type=int, default=10_000)
     parser.add_argument("--kills", type=int, default=20)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--only-make", type=pathlib.Path, help="write the pairs and jobs.csv here, and end")
     options = parser.parse_args()
     options.build = options.build.resolve()
+    if options.only_make:
+        make_jobs(options, options.only_make)
+        return
     with tempfile.TemporaryDirectory() as folder:
         test(options, pathlib.Path(folder))
 
