@@ -17,7 +17,7 @@ build() { cmake --preset "$1" > build/"$1".log || { cat build/"$1".log; exit 1; 
 mkdir -p build
 stage "install what is missing"
 scripts/install.sh core viewer tests bench python
-[ $core = yes ] || scripts/install.sh quality browser web docs
+[ $core = yes ] || scripts/install.sh quality browser web cluster docs
 
 if [ $core = no ]; then
   stage "format and habits"
@@ -58,6 +58,13 @@ stage "the Python package: a wheel, in a fresh environment"
 CMAKE_ARGS="-DQUADMATCH_DEVELOPER=ON" scripts/build_python.sh
 stage "tests of the Python package"
 scripts/test_python.sh
+
+stage "many pairs, killed and resumed"
+scripts/test_batch.py
+if [ $core = no ]; then
+  stage "many pairs through Slurm"
+  scripts/test_cluster.sh
+fi
 
 stage "tests, sanitized"
 ctest --preset sanitize -j 2 --timeout 1200
