@@ -19,48 +19,6 @@ namespace {
 constexpr std::size_t kMostLines = 12;
 constexpr std::size_t kMostIds = 4;
 
-const char* name_of(ChangeKind kind) {
-  switch (kind) {
-    case ChangeKind::NewComponent:
-      return "new component";
-    case ChangeKind::RemovedComponent:
-      return "removed component";
-    case ChangeKind::Addition:
-      return "addition";
-    case ChangeKind::Deletion:
-      return "deletion";
-    case ChangeKind::InsertedLoop:
-      return "inserted loop";
-    case ChangeKind::RemovedLoop:
-      return "removed loop";
-    case ChangeKind::Extrusion:
-      return "extrusion";
-    case ChangeKind::UndoneExtrusion:
-      return "undone extrusion";
-    case ChangeKind::Opening:
-      return "opening";
-    case ChangeKind::Collapse:
-      return "collapse";
-    case ChangeKind::Refinement:
-      return "refinement";
-    case ChangeKind::Coarsening:
-      return "coarsening";
-    case ChangeKind::Bridge:
-      return "bridge";
-    case ChangeKind::UndoneBridge:
-      return "undone bridge";
-    case ChangeKind::Rip:
-      return "rip";
-    case ChangeKind::Weld:
-      return "weld";
-    case ChangeKind::Reattachment:
-      return "re-attachment";
-    case ChangeKind::Reconnection:
-      break;
-  }
-  return "re-connection";
-}
-
 /// "f12, f13, f19, ... of the source".
 template <class IdType>
 std::string some_of(const std::vector<IdType>& ids, std::string_view mesh) {
@@ -104,7 +62,7 @@ std::string sentence_of(const Change& change) {
 void add_changes(Lines& lines, const std::vector<Change>& changes) {
   const std::size_t shown = changes.size() <= kMostLines + 1 ? changes.size() : kMostLines;
   for (std::size_t k = 0; k < shown; ++k) {
-    lines.add(name_of(changes[k].kind), sentence_of(changes[k]));
+    lines.add(to_string(changes[k].kind), sentence_of(changes[k]));
   }
   if (shown == changes.size()) return;
   lines.add("", fmt::format("and {} smaller changes; --json lists them all", grouped(changes.size() - shown)));
@@ -153,7 +111,7 @@ std::map<ChangeKind, std::size_t> kinds_of(const Difference& difference) {
 }
 
 Json change_json(const Change& change) {
-  return {{"kind", name_of(change.kind)},
+  return {{"kind", to_string(change.kind)},
           {"size", change.size()},
           {"rows", change.rows},
           {"edges", change.edges},
@@ -242,7 +200,7 @@ ReportText report_text(const DiffSummary& summary) {
   add_doubts(text.figures, summary.difference.doubtful);
   for (const Change& change : summary.difference.changes) {
     const bool all_matched = change.source_faces.empty() && change.target_faces.empty();
-    text.changes.push_back({name_of(change.kind), all_matched ? change.rejoined : change.source_faces,
+    text.changes.push_back({to_string(change.kind), all_matched ? change.rejoined : change.source_faces,
                             change.target_faces, sentence_of(change)});
   }
   return text;
@@ -253,7 +211,7 @@ std::string as_stat(const DiffSummary& summary) {
   const DiffTotals& totals = difference.totals;
   std::vector<std::string> kinds;
   for (const auto& [kind, count] : kinds_of(difference)) {
-    std::string name = name_of(kind);
+    std::string name = to_string(kind);
     std::replace(name.begin(), name.end(), ' ', '-');
     kinds.push_back(fmt::format("{}:{}", name, count));
   }

@@ -156,6 +156,10 @@ class Match:
                 f"{len(self._core.regions)} regions>")
 
 
+class Cancelled(Exception):
+    """The progress function stopped a search, of which a part would be a wrong answer."""
+
+
 @dataclasses.dataclass(frozen=True)
 class Verdict:
     """What the definition says of a match. True where it is sound."""
@@ -201,6 +205,11 @@ def count(name: str, value: int, least: int) -> int:
     return int(value)
 
 
+def check_progress(progress: object) -> None:
+    if progress is not None and not callable(progress):
+        refuse("progress", f"{progress!r} cannot be called; give a function of two numbers")
+
+
 @overload
 def match(source: object, target: object, /, *, algorithm: str = ..., orientation: str = ..., anchors: object = ...,
           positions: bool = ..., min_confidence: float = ..., min_region: int = ..., rounds: int = ...,
@@ -240,8 +249,7 @@ def match(*meshes: object, algorithm: str = "regions", orientation: str = "auto"
     Raises ValueError with the sentence of the command line.
     """
     source, target = two_meshes(meshes, "match")
-    if progress is not None and not callable(progress):
-        refuse("progress", f"{progress!r} cannot be called; give a function of two numbers")
+    check_progress(progress)
     if isinstance(without, str):
         without = [without]
     if time_limit is not None and not 0.001 <= time_limit <= 1e9:
@@ -252,6 +260,14 @@ def match(*meshes: object, algorithm: str = "regions", orientation: str = "auto"
         rounds=count("rounds", rounds, 0), arc_lengths=bool(arc_lengths), waves=bool(waves),
         at_least=0 if at_least is None else count("at_least", at_least, 1), time_limit=float(time_limit or 0),
         anchors=anchor_rows(anchors), progress=progress))
+
+
+def whole_match(source: Mesh, target: Mesh, *, positions: bool, orientation: str, progress: Progress | None) -> Match:
+    """The match that is put to use. To what was not searched all would look new."""
+    found = match(source, target, positions=positions, orientation=orientation, progress=progress)
+    if not found.complete:
+        raise Cancelled("the search was stopped, so what is the same is not known")
+    return found
 
 
 def verify(source: object, target: object, match: Match, *, faults: int = 10) -> Verdict:

@@ -6,8 +6,7 @@ import dataclasses
 from typing import Iterable
 
 from quadmatch import _core
-from quadmatch._matching import Match
-from quadmatch._matching import match as find_match
+from quadmatch._matching import Match, Progress, whole_match
 from quadmatch._meshes import Mesh, as_mesh
 
 
@@ -53,9 +52,14 @@ class Transferred:
         return self.matched_faces == self.faces and self.matched_vertices == self.vertices
 
 
+def words(only: Iterable[str]) -> list[str]:
+    """A list of words, or one text with commas between them, as on the command line."""
+    return only.split(",") if isinstance(only, str) else list(only)
+
+
 def transfer(source: object, target: object, match: Match | None = None, *, only: Iterable[str] = (), fill: str = "keep",
              order: bool = False, allow_ambiguous: bool = False, min_confidence: float = 0.0,
-             positions: bool = True, orientation: str = "auto") -> Transferred:
+             positions: bool = True, orientation: str = "auto", progress: Progress | None = None) -> Transferred:
     """The target with the source's data wherever both are the same.
 
     match: from source to target; without it they are matched here, with `orientation` and `positions`.
@@ -65,6 +69,7 @@ def transfer(source: object, target: object, match: Match | None = None, *, only
     order: number the result as the source.
     allow_ambiguous: carry parts that could lie otherwise, too.
     positions: False: by connectivity alone.
+    progress: of the matching, as of match(); False stops it and raises Cancelled.
 
     Where nothing of the source is found or all is doubtful, nothing is carried: matched_faces is 0.
 
@@ -72,11 +77,9 @@ def transfer(source: object, target: object, match: Match | None = None, *, only
     match is not sound or of other meshes.
     """
     one, other = as_mesh("source", source), as_mesh("target", target)
-    if isinstance(only, str):
-        only = only.split(",")
     if match is None:
-        match = find_match(one, other, positions=positions, orientation=orientation)
-    core, report = _core.transfer(one._core, other._core, match._core, only=list(only), fill=fill, order=bool(order),
+        match = whole_match(one, other, positions=positions, orientation=orientation, progress=progress)
+    core, report = _core.transfer(one._core, other._core, match._core, only=words(only), fill=fill, order=bool(order),
                                   allow_ambiguous=bool(allow_ambiguous), min_confidence=float(min_confidence),
                                   positions=bool(positions))
     attributes = tuple(TransferredAttribute(**row) for row in report.pop("attributes"))

@@ -19,6 +19,9 @@ using MatchHandle = std::shared_ptr<MatchFile>;
 void bind_mesh(py::module_& module);      ///< Mesh, read, write
 void bind_match(py::module_& module);     ///< Match, Region, match, verify, read_match, write_match
 void bind_transfer(py::module_& module);  ///< transfer
+void bind_symmetry(py::module_& module);  ///< Symmetry, symmetry, symmetrize
+void bind_diff(py::module_& module);      ///< diff
+void bind_merge(py::module_& module);     ///< match_side, merge
 void bind_analysis(py::module_& module);  ///< check, skeleton, connectivity_hash
 
 }  // namespace quadmatch::python

@@ -1,8 +1,13 @@
 #pragma once
-/// Is a match of these meshes?
+/// Is a match of these meshes, and is it one at all?
+
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 #include <quadmatch/io/match_file.hpp>
 #include <quadmatch/io/mesh_file.hpp>
+#include <quadmatch/verify/verify.hpp>
 
 #include "errors.hpp"
 
@@ -16,6 +21,13 @@ namespace quadmatch::python {
 inline void check_fits(const MatchFile& match, const MeshFile& source, const MeshFile& target) {
   const Expected<void> fitting = fits(match, side_of(source), side_of(target));
   if (!fitting) raise(fitting.error());
+}
+
+/// No match leaves this module that the definition does not allow.
+inline void check_sound(const Verdict& verdict) {
+  if (verdict.sound()) return;
+  throw std::runtime_error(fmt::format("internal error: the match found is not sound ({}); please report it",
+                                       verdict.faults.front().message));
 }
 
 }  // namespace quadmatch::python

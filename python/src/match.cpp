@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
@@ -24,13 +23,6 @@ namespace {
 
 /// A region of a match, which it keeps alive.
 using RegionHandle = std::shared_ptr<Region>;
-
-/// No match leaves this module that the definition does not allow.
-void check_sound(const Verdict& verdict) {
-  if (verdict.sound()) return;
-  throw std::runtime_error(fmt::format("internal error: the match found is not sound ({}); please report it",
-                                       verdict.faults.front().message));
-}
 
 MatchHandle find_match(const MeshHandle& source, const MeshHandle& target, const MatchWords& words,
                        py::object progress) {
@@ -123,15 +115,9 @@ void bind_region(py::module_& module) {
       .def_property_readonly("reversing",
                              [](const Region& region) { return region.orientation == Orientation::Reversing; })
       .def_property_readonly("faces",
-                             [](const py::object& self) {
-                               const std::vector<FacePair>& faces = self.cast<RegionHandle>()->faces;
-                               return ids_view(faces.data(), faces.size(), self);
-                             })
+                             [](const py::object& self) { return ids_view(self.cast<RegionHandle>()->faces, self); })
       .def_property_readonly("waves",
-                             [](const py::object& self) {
-                               const std::vector<std::uint32_t>& waves = self.cast<RegionHandle>()->waves;
-                               return ids_view(waves.data(), waves.size(), self);
-                             })
+                             [](const py::object& self) { return ids_view(self.cast<RegionHandle>()->waves, self); })
       .def_property_readonly("agreeing", [](const Region& region) { return region.evidence.agreeing; })
       .def_property_readonly("source_extraordinary",
                              [](const Region& region) { return region.evidence.source_extraordinary; })
@@ -153,11 +139,8 @@ void bind_match_file(py::module_& module) {
       .def_property_readonly("matched_faces", of_match([](const Match& match) { return match.matched_faces(); }))
       .def_property_readonly("complete", of_match([](const Match& match) { return match.complete; }))
       .def_property_readonly("regions", &regions_of)
-      .def_property_readonly("vertices",
-                             [](const py::object& self) {
-                               const std::vector<VertexPair>& pairs = self.cast<MatchHandle>()->match.vertices;
-                               return ids_view(pairs.data(), pairs.size(), self);
-                             })
+      .def_property_readonly(
+          "vertices", [](const py::object& self) { return ids_view(self.cast<MatchHandle>()->match.vertices, self); })
       .def_property_readonly("face_map", &face_map)
       .def_property_readonly("vertex_map", &vertex_map)
       .def_property_readonly("settings", [](const MatchFile& match) { return match.settings; })

@@ -9,5 +9,8 @@ PYBIND11_MODULE(_core, module) {
   quadmatch::python::bind_mesh(module);
   quadmatch::python::bind_match(module);
   quadmatch::python::bind_transfer(module);
+  quadmatch::python::bind_symmetry(module);
+  quadmatch::python::bind_diff(module);
+  quadmatch::python::bind_merge(module);
   quadmatch::python::bind_analysis(module);
 }

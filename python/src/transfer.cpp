@@ -1,5 +1,6 @@
 // transfer: the library's, its report as plain values.
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <quadmatch/use/transfer.hpp>
 
 #include "bindings.hpp"
+#include "carrying.hpp"
 #include "errors.hpp"
 #include "fitting.hpp"
 #include "words.hpp"
@@ -16,46 +18,14 @@
 namespace quadmatch::python {
 namespace {
 
-constexpr Words<bool Carry::*, 9> kKinds{{{"uv", &Carry::texture_coordinates},
-                                          {"colours", &Carry::colours},
-                                          {"properties", &Carry::properties},
-                                          {"groups", &Carry::groups},
-                                          {"materials", &Carry::materials},
-                                          {"smoothing", &Carry::smoothing},
-                                          {"normals", &Carry::normals},
-                                          {"positions", &Carry::positions},
-                                          {"none", nullptr}}};
+/// What `only` names, or nothing at all: for the order alone.
+constexpr Words<bool Carry::*, kCarried.size() + 1> words_of_only() {
+  Words<bool Carry::*, kCarried.size() + 1> words{};
+  std::copy(kCarried.begin(), kCarried.end(), words.begin());
+  words.back() = {"none", nullptr};
+  return words;
+}
 constexpr Words<Fill, 3> kFills{{{"keep", Fill::Keep}, {"none", Fill::None}, {"smooth", Fill::Smooth}}};
-
-/// What `only` names; all that is carried by default where it names nothing.
-Carry carry_of(const std::vector<std::string>& only) {
-  if (only.empty()) return {};
-  Carry carry = Carry::nothing();
-  for (const std::string& word : only) {
-    if (bool Carry::*const wanted = taken(meaning(kKinds, "only", word))) carry.*wanted = true;
-  }
-  return carry;
-}
-
-const char* name_of(Domain domain) {
-  switch (domain) {
-    case Domain::Vertex:
-      return "vertex";
-    case Domain::Corner:
-      return "corner";
-    case Domain::Face:
-      return "face";
-    default:
-      return "further";
-  }
-}
-
-py::dict as_dict(const TransferredAttribute& attribute) {
-  return py::dict(py::arg("name") = attribute.name, py::arg("domain") = name_of(attribute.domain),
-                  py::arg("carried") = attribute.carried, py::arg("kept") = attribute.kept,
-                  py::arg("filled") = attribute.filled, py::arg("without") = attribute.without,
-                  py::arg("remarks") = py::tuple(py::cast(attribute.remarks)));
-}
 
 py::dict as_dict(const LeftOutRegion& part) {
   const bool ambiguous = part.reason == LeftOutRegion::Reason::Ambiguous;
@@ -66,18 +36,18 @@ py::dict as_dict(const LeftOutRegion& part) {
 }
 
 py::dict as_dict(const TransferReport& report) {
-  py::list attributes, left_out;
-  for (const TransferredAttribute& attribute : report.attributes) attributes.append(as_dict(attribute));
+  py::list left_out;
   for (const LeftOutRegion& part : report.left_out) left_out.append(as_dict(part));
-  return py::dict(py::arg("attributes") = attributes, py::arg("left_out") = left_out, py::arg("faces") = report.faces,
-                  py::arg("vertices") = report.vertices, py::arg("matched_faces") = report.matched_faces,
+  return py::dict(py::arg("attributes") = as_list(report.attributes), py::arg("left_out") = left_out,
+                  py::arg("faces") = report.faces, py::arg("vertices") = report.vertices,
+                  py::arg("matched_faces") = report.matched_faces,
                   py::arg("matched_vertices") = report.matched_vertices, py::arg("reversing") = report.reversing);
 }
 
 py::tuple carry_over(const MeshHandle& source, const MeshHandle& target, const MatchHandle& match,
                      const std::vector<std::string>& only, const std::string& fill, bool order, bool allow_ambiguous,
                      double min_confidence, bool positions) {
-  const TransferOptions options{.carry = carry_of(only),
+  const TransferOptions options{.carry = taken(carry_of(words_of_only(), only, Carry{})),
                                 .fill = taken(meaning(kFills, "fill", fill)),
                                 .order = order,
                                 .allow_ambiguous = allow_ambiguous,

@@ -35,6 +35,9 @@ enum class ChangeKind : std::uint8_t {
   Reconnection,      ///< another connectivity within the same rim, of about as many faces
 };
 
+/// "new component", "inserted loop", ...
+[[nodiscard]] const char* to_string(ChangeKind kind);
+
 /// What the change from the target to the source is called.
 [[nodiscard]] ChangeKind inverse(ChangeKind kind);
 

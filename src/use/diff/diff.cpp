@@ -3,6 +3,7 @@
 #include <quadmatch/use/diff.hpp>
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -153,6 +154,16 @@ void sort_changes(std::vector<Change>& changes) {
 
 }  // namespace
 }  // namespace use
+
+const char* to_string(ChangeKind kind) {
+  // In the order of the kinds.
+  constexpr std::array kNames{
+      "new component", "removed component", "addition", "deletion", "inserted loop", "removed loop",
+      "extrusion",     "undone extrusion",  "opening",  "collapse", "refinement",    "coarsening",
+      "bridge",        "undone bridge",     "rip",      "weld",     "re-attachment", "re-connection"};
+  static_assert(kNames.size() == static_cast<std::size_t>(ChangeKind::Reconnection) + 1);
+  return kNames[static_cast<std::size_t>(kind)];
+}
 
 ChangeKind inverse(ChangeKind kind) {
   if (kind >= ChangeKind::Reattachment) return kind;
