@@ -205,6 +205,15 @@ TEST_CASE("sentence 4: a region in two parts is a fault, two regions are not") {
   CHECK(apart.largest_region == 1);
 }
 
+TEST_CASE("sentence 4: faces of a region may stand in any order") {
+  const Mesh mesh = build(shapes::grid(5, 1));
+  CHECK(verify(mesh, mesh, identity(mesh, {0, 4, 2, 1, 3})).sound());
+  CHECK(verify(mesh, mesh, identity(mesh, {4, 3, 2, 1, 0})).sound());
+  const Verdict verdict = verify(mesh, mesh, identity(mesh, {3, 0, 4, 1}));
+  CHECK(has_only(verdict, FaultKind::NotConnected));
+  CHECK(verdict.faults[0].message == "region 0: 2 of its 4 faces are not connected to the first, 3");
+}
+
 TEST_CASE("sentence 4: faces that share a vertex only are not connected") {
   const Mesh mesh = build(shapes::grid(2, 2));
   CHECK(has_only(verify(mesh, mesh, identity(mesh, {0, 3})), FaultKind::NotConnected));
