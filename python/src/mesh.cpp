@@ -1,6 +1,7 @@
 // Mesh: a MeshFile of the library, its arrays seen without a copy; read and write.
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -50,9 +51,18 @@ std::span<const Value> span_of(const py::array_t<Value, py::array::c_style>& arr
 
 Unexpected<Error> refuse(ErrorCode code, std::string message) { return Unexpected(Error{code, std::move(message)}); }
 
+/// Is none of them infinite or not a number? Their exponents alone say so, and in a form that compilers do several at a
+/// time.
+bool all_finite(std::span<const double> numbers) {
+  constexpr std::uint64_t kSign = std::uint64_t{1} << 63U, kExponentStep = std::uint64_t{1} << 52U;
+  std::uint64_t carried = 0;  // an exponent of all ones overflows into the place of the sign
+  for (const double number : numbers) carried |= (std::bit_cast<std::uint64_t>(number) & ~kSign) + kExponentStep;
+  return (carried & kSign) == 0;
+}
+
 Expected<std::vector<Point>> points_of(std::span<const double> numbers) {
-  const auto wrong = std::find_if_not(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
-  if (wrong != numbers.end()) {
+  if (!all_finite(numbers)) {
+    const auto wrong = std::find_if_not(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
     return refuse(ErrorCode::BadNumber,
                   fmt::format("a coordinate of vertex v{} is not a finite number; correct it, or give None for the "
                               "positions",
@@ -84,19 +94,27 @@ std::size_t face_at(const std::vector<std::uint32_t>& starts, std::size_t corner
   return static_cast<std::size_t>(std::upper_bound(starts.begin(), starts.end(), corner) - starts.begin()) - 1;
 }
 
+/// @pre  some index is no vertex.
+Error wrong_index(std::span<const std::int64_t> indices, std::int64_t vertex_count,
+                  const std::vector<std::uint32_t>& starts) {
+  const auto outside = [vertex_count](std::int64_t index) { return index < 0 || index >= vertex_count; };
+  const auto wrong = std::find_if(indices.begin(), indices.end(), outside);
+  const std::size_t face = face_at(starts, static_cast<std::size_t>(wrong - indices.begin()));
+  return {ErrorCode::BadIndex,
+          *wrong < 0 ? fmt::format("face f{} names vertex {}, but vertices count from 0", face, *wrong)
+                     : fmt::format("face f{} names vertex {}, but there are only {} vertices, counted from 0", face,
+                                   *wrong, vertex_count)};
+}
+
 Expected<std::vector<VertexId>> corners_of(std::span<const std::int64_t> indices, std::int64_t vertex_count,
                                            const std::vector<std::uint32_t>& starts) {
-  const auto outside = [vertex_count](std::int64_t index) { return index < 0 || index >= vertex_count; };
-  if (const auto wrong = std::find_if(indices.begin(), indices.end(), outside); wrong != indices.end()) {
-    const std::size_t face = face_at(starts, static_cast<std::size_t>(wrong - indices.begin()));
-    return refuse(ErrorCode::BadIndex,
-                  *wrong < 0 ? fmt::format("face f{} names vertex {}, but vertices count from 0", face, *wrong)
-                             : fmt::format("face f{} names vertex {}, but there are only {} vertices, counted from 0",
-                                           face, *wrong, vertex_count));
+  std::vector<VertexId> corners(indices.size());
+  bool outside = false;
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    outside |= static_cast<std::uint64_t>(indices[k]) >= static_cast<std::uint64_t>(vertex_count);
+    corners[k] = VertexId(static_cast<std::uint32_t>(indices[k]));
   }
-  std::vector<VertexId> corners;
-  corners.reserve(indices.size());
-  for (const std::int64_t index : indices) corners.emplace_back(static_cast<std::uint32_t>(index));
+  if (outside) return Unexpected(wrong_index(indices, vertex_count, starts));
   return corners;
 }
 
