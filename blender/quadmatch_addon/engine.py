@@ -1,0 +1,162 @@
+"""Who matches: the library inside the add-on, or else the command line program."""
+import dataclasses
+
+import numpy as np
+
+from . import found, library, program
+from .refusal import Cancelled, Refusal
+
+
+@dataclasses.dataclass(frozen=True)
+class Options:
+    orientation: str = "auto"  #: "auto", "preserving" or "reversing", of the meshes as they are stored
+    positions: bool = True
+    anchors: tuple = ()  #: rows: source face, corner, target face, corner
+
+    def arguments(self):
+        """For the program."""
+        words = ["--orientation", self.orientation] + ([] if self.positions else ["--no-positions"])
+        for a, b, c, d in self.anchors:
+            words += ["--anchor", f"{a}:{b}={c}:{d}"]
+        return words
+
+
+def program_path():
+    from .preferences import preferred_program
+    return program.find(preferred_program())
+
+
+def state():
+    """Who works, and what keeps the library from it: two sentences, the second may be empty."""
+    if library.load():
+        return f"quadmatch {library.load().__version__}", ""
+    path = program_path()
+    return (f"the program {path} is used" if path else
+            "neither is the program quadmatch on PATH; install it, or say in the add-on's preferences where it is", library.reason())
+
+
+def _required_program():
+    path = program_path()
+    if not path:
+        raise Refusal(f"{library.reason()}; the program quadmatch would do as well, but it is not on PATH nor set in the add-on's preferences")
+    return path
+
+
+def _mesh(quadmatch, name, arrays):
+    faces = arrays.corners.reshape(-1, 4) if arrays.all_quads else (np.append(arrays.starts, len(arrays.corners)), arrays.corners)
+    try:
+        return quadmatch.Mesh(arrays.positions, faces, name=name)
+    except ValueError as error:
+        raise Refusal(str(error)) from error
+
+
+def match(source, target, names, options, progress):
+    """Found. progress(matched, most): False cancels."""
+    quadmatch = library.load()
+    if quadmatch is None:
+        data = program.run(_required_program(), "match", {"source": source, "target": target},
+                           [*options.arguments(), "--quiet", "-o", "match.json"], progress, "match.json")
+        return found.from_match_file(data) if data else found.Found((), np.zeros((0, 2), np.int32))
+    meshes = [_mesh(quadmatch, name, arrays) for name, arrays in zip(names, (source, target))]
+    try:
+        made = quadmatch.match(*meshes, orientation=options.orientation, positions=options.positions, anchors=options.anchors,
+                               progress=progress)
+    except ValueError as error:
+        raise Refusal(str(error)) from error
+    if not made.complete:
+        raise Cancelled()
+    return found.from_library(made)
+
+
+@dataclasses.dataclass(frozen=True)
+class Mirror:
+    """The mirror of a mesh."""
+    found: found.Found  #: the mesh on itself
+    mirrors: int  #: how many fit as well, this one included; 0: none was found
+    line_vertices: np.ndarray
+    line_faces: np.ndarray
+    unpaired_faces: np.ndarray
+    plane: object  #: (normal, offset, error as a share of the size, does it fit), or None
+
+    def vertex_map(self, count):
+        partner = np.full(count, -1, np.int32)
+        partner[self.found.vertices[:, 0]] = self.found.vertices[:, 1]
+        return partner
+
+    def face_map(self, count):
+        partner = np.full(count, -1, np.int32)
+        for region in self.found.regions:
+            partner[region.faces[:, 0]] = region.faces[:, 1]
+        return partner
+
+
+def symmetry(arrays, name, positions, progress):
+    """The Mirror of a mesh."""
+    quadmatch = library.load()
+    if quadmatch is None:
+        data = program.run(_required_program(), "symmetry", {"mesh": arrays}, ["-o", "map.json", "--quiet"] + ([] if positions else ["--no-positions"]),
+                           progress, "map.json")
+        return _mirror_of_file(data, arrays)
+    made = quadmatch.symmetry(_mesh(quadmatch, name, arrays), positions=positions, progress=progress)
+    if not made.complete:
+        raise Cancelled()
+    plane = made.plane and (np.array(made.plane.normal), made.plane.offset, made.plane.error, made.plane.fits)
+    return Mirror(found.from_library(made.match), made.mirrors, np.array(made.line.vertices), np.array(made.line.faces),
+                  np.array(made.unpaired_faces), plane)
+
+
+def _mirror_of_file(data, arrays):
+    nothing = np.zeros(0, np.int32)
+    if data is None:
+        return Mirror(found.Found((), np.zeros((0, 2), np.int32)), 0, nothing, nothing, np.arange(arrays.face_count), None)
+    said = data["symmetry"]
+    plane = said["plane"] and (np.array(said["plane"]["normal"]), said["plane"]["offset"], said["plane"]["error"], said["plane"]["fits"])
+    line = said["centre_line"]
+    return Mirror(found.from_match_file(data), said["mirrors"], np.array(line["vertices"], np.int32), np.array(line["faces"], np.int32),
+                  np.array(said["unpaired"]["faces"], np.int32), plane)
+
+
+@dataclasses.dataclass(frozen=True)
+class Change:
+    """One area that is different: what it is called, and the faces that came, went, or have other neighbours."""
+    kind: str
+    source_faces: np.ndarray
+    target_faces: np.ndarray
+    rejoined: np.ndarray  #: of the source
+
+
+@dataclasses.dataclass(frozen=True)
+class Differences:
+    changes: tuple
+    moved: np.ndarray  #: (K, 2): vertices of the source and the target that are elsewhere
+    match: found.Found
+
+
+def diff(source, target, names, options, tolerance, progress):
+    """What was changed from source to target, the largest change first."""
+    quadmatch = library.load()
+    if quadmatch is None:
+        return _diff_by_program(source, target, names, options, tolerance, progress)
+    meshes = [_mesh(quadmatch, name, arrays) for name, arrays in zip(names, (source, target))]
+    try:
+        made = quadmatch.match(*meshes, orientation=options.orientation, positions=options.positions, anchors=options.anchors,
+                               progress=progress)
+        if not made.complete:
+            raise Cancelled()
+        said = quadmatch.diff(*meshes, made, tolerance=tolerance)
+    except ValueError as error:
+        raise Refusal(str(error)) from error
+    changes = tuple(Change(change.kind, np.array(change.source_faces), np.array(change.target_faces), np.array(change.rejoined))
+                    for change in said.changes)
+    return Differences(changes, np.array(said.moved), found.from_library(made))
+
+
+def _diff_by_program(source, target, names, options, tolerance, progress):
+    path = _required_program()
+    match_made = match(source, target, names, options, progress)
+    data = program.run(path, "diff", {"source": source, "target": target},
+                       ["--json", "--tolerance", repr(tolerance), "--orientation", options.orientation] + ([] if options.positions else ["--no-positions"]),
+                       progress)
+    arrays = [[np.array(row[key], np.int32) for key in ("source_faces", "target_faces", "rejoined_source_faces")] for row in data["changes"]]
+    return Differences(tuple(Change(row["kind"], *faces) for row, faces in zip(data["changes"], arrays)),
+                       np.array(data["moved"], np.int32).reshape(-1, 2), match_made)

@@ -1,0 +1,39 @@
+"""What is said of a match, one short line each: the sidebar is narrow."""
+
+
+def counted(number, noun):
+    return f"{number:,} {noun}{'' if number == 1 else 's'}"
+
+
+def match_lines(found, source, target, arrays):
+    """The first line stands for all in the status bar."""
+    lines = [f"{found.matched:,} faces are the same"]
+    for obj, mesh in zip((source, target), arrays):
+        missing = mesh.face_count - found.matched
+        lines.append(f"{obj.name}: {100 * found.matched / mesh.face_count:.1f} % of {mesh.face_count:,}, {missing:,} unmatched")
+    if found.regions:
+        largest = found.regions[0]
+        lines.append(f"{counted(len(found.regions), 'region')}, the largest {len(largest.faces):,}, confidence {100 * largest.confidence:.0f} %")
+    turned = sum(len(region.faces) for region in found.regions if region.reversing)
+    if turned:
+        lines.append(f"{turned:,} faces lie turned over")
+    return lines + doubts(region for region in found.regions if region.ambiguous)
+
+
+def doubts(regions, shown=3):
+    regions = list(regions)
+    lines = [f"Ambiguous: {region.doubt}" for region in regions[:shown]]
+    if len(regions) > shown:
+        lines.append(f"Ambiguous: {counted(len(regions) - shown, 'region')} more, {sum(len(region.faces) for region in regions[shown:]):,} faces")
+    return lines
+
+
+def left_out(regions, shown=3):
+    """Of regions that are not written."""
+    lines = []
+    for region in list(regions)[:shown]:
+        why = f"fit in {region.ways} ways" if region.ambiguous else f"have a confidence of {100 * region.confidence:.0f} % only"
+        lines.append(f"Left out: {counted(len(region.faces), 'face')} from face {region.faces[0, 1]} on, they {why}")
+    if len(regions) > shown:
+        lines.append(f"Left out: {counted(len(regions) - shown, 'region')} more, {sum(len(region.faces) for region in regions[shown:]):,} faces")
+    return lines
