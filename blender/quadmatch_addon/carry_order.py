@@ -11,7 +11,7 @@ def carry(source, target, along):
     edited = bmesh.new()
     try:
         edited.from_mesh(mesh)
-        for elements, pairs in ((edited.verts, along.vertices), (edited.edges, along.edges), (edited.faces, along.faces)):
+        for elements, pairs in ((edited.verts, along.own_vertices), (edited.edges, along.edges), (edited.faces, along.faces)):
             for element, place in zip(list(elements), _places(pairs, len(elements)).tolist()):
                 element.index = place
             elements.sort()
@@ -19,8 +19,8 @@ def carry(source, target, along):
     finally:
         edited.free()
     mesh.update()
-    whole = len(along.vertices) == len(mesh.vertices) == len(source.data.vertices)
-    return [f"Vertex order: {counted(len(along.vertices), 'vertex').replace('vertexs', 'vertices')} as in the source, {'all of it' if whole else 'the rest after them'}"]
+    whole = len(along.own_vertices) == len(mesh.vertices) == len(source.data.vertices)
+    return [f"Vertex order: {counted(len(along.own_vertices), 'vertex').replace('vertexs', 'vertices')} as in the source, {'all of it' if whole else 'the rest after them'}"]
 
 
 def _places(pairs, count):

@@ -45,11 +45,20 @@ class Correspondence:
 
     @functools.cached_property
     def vertices(self):
-        """Vertices of trusted faces, where the match as a whole agrees."""
+        """Corners of trusted faces. A vertex of the source is in several pairs where an edit took it apart."""
+        return _first_of_each_target(np.concatenate([self.own_vertices, self._corner_vertices]))
+
+    @functools.cached_property
+    def own_vertices(self):
+        """The same, one-to-one: what the match as a whole says."""
         partner = np.full(self.source.vertex_count, -1, np.int64)
         partner[self._found.vertices[:, 0]] = self._found.vertices[:, 1]
-        pairs = np.stack([self.source.corners[self.corners[:, 0]], self.target.corners[self.corners[:, 1]]], axis=1)
+        pairs = self._corner_vertices
         return np.unique(pairs[partner[pairs[:, 0]] == pairs[:, 1]], axis=0)
+
+    @functools.cached_property
+    def _corner_vertices(self):
+        return np.stack([self.source.corners[self.corners[:, 0]], self.target.corners[self.corners[:, 1]]], axis=1)
 
     @functools.cached_property
     def turned_vertices(self):

@@ -69,7 +69,7 @@ def select(context, pair, elements, kind="faces"):
             chosen = np.zeros(mesh.face_count if kind == "faces" else mesh.vertex_count, bool)
             chosen[rows] = True
             (selection.select_faces if kind == "faces" else selection.select_vertices)(obj.data, mesh, chosen)
-    hidden = selection.edit(context, (pair.source, pair.target), pair.target, "FACE" if kind == "faces" else "VERT")
+    hidden = selection.edit(context, (pair.source, pair.target), pair.target, "FACE" if kind == "faces" else "VERT", "Select Differences")
     return [f"{name} is hidden; it is not opened in edit mode" for name in hidden]
 
 

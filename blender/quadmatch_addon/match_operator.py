@@ -86,7 +86,7 @@ class QUADMATCH_OT_match(Working, bpy.types.Operator):
                         lines.append(f"{obj.name}: {sentences.counted(hidden, 'unmatched face')} hidden, so not selected")
         if settings.select:
             lines += [f"{name} is hidden; it is not opened in edit mode"
-                      for name in selection.edit(context, (pair.source, pair.target), pair.target, "FACE")]
+                      for name in selection.edit(context, (pair.source, pair.target), pair.target, "FACE", self.bl_label)]
         return lines
 
 

@@ -32,14 +32,19 @@ def select_vertices(mesh, arrays, vertices):
     mesh.update()
 
 
-def edit(context, objects, active, elements):
-    """Enter edit mode on the objects that can be seen, in the mode of "FACE" or "VERT". Returns the names of the others."""
+def edit(context, objects, active, elements, step):
+    """Enter edit mode on the objects that can be seen, in the mode of "FACE" or "VERT". Returns the names of the others.
+
+    What was done before is a step of its own to undo, called `step`: Blender does not go back over the border of edit mode
+    in one.
+    """
     seen = [obj for obj in objects if obj.visible_get()]
     hidden = [obj.name for obj in objects if obj not in seen]
     if not seen:
         return hidden
     if context.view_layer.objects.active and context.view_layer.objects.active.mode != "OBJECT":
         bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.ops.ed.undo_push(message=step)
     for obj in context.view_layer.objects:
         obj.select_set(obj in seen)
     context.view_layer.objects.active = active if active in seen else seen[0]

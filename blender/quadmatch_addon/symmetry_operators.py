@@ -79,7 +79,7 @@ class QUADMATCH_OT_mirror_map(Working, bpy.types.Operator):
                 if hidden:
                     lines.append(f"{sentences.counted(hidden, 'face')} without partner hidden, so not selected")
         if settings.select:
-            lines += [f"{name} is hidden; it is not opened in edit mode" for name in selection.edit(context, (model.obj,), model.obj, "FACE")]
+            lines += [f"{name} is hidden; it is not opened in edit mode" for name in selection.edit(context, (model.obj,), model.obj, "FACE", self.bl_label)]
         return lines
 
 
