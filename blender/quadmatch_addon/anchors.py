@@ -86,7 +86,7 @@ class QUADMATCH_OT_remove_anchor(bpy.types.Operator):
     bl_label = "Remove Anchor"
     bl_options = {"REGISTER", "UNDO"}
 
-    index: bpy.props.IntProperty(default=-1, description="Which one; -1: all")
+    index: bpy.props.IntProperty(default=-1, options={"SKIP_SAVE"}, description="Which one; -1: all")
 
     def execute(self, context):
         anchors = context.scene.quadmatch.anchors

@@ -79,7 +79,7 @@ class QUADMATCH_OT_select_change(bpy.types.Operator):
     bl_label = "Select Change"
     bl_options = {"REGISTER", "UNDO"}
 
-    index: bpy.props.IntProperty(default=-1, description="Which change of the list; -1: the active one")
+    index: bpy.props.IntProperty(default=-1, options={"SKIP_SAVE"}, description="Which change of the list; -1: the active one")
 
     def execute(self, context):
         settings = context.scene.quadmatch

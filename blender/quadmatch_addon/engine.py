@@ -56,7 +56,7 @@ def match(source, target, names, options, progress):
     if quadmatch is None:
         data = program.run(_required_program(), "match", {"source": source, "target": target},
                            [*options.arguments(), "--quiet", "-o", "match.json"], progress, "match.json")
-        return found.from_match_file(data) if data else found.Found((), np.zeros((0, 2), np.int32))
+        return found.from_match_file(data)
     meshes = [_mesh(quadmatch, name, arrays) for name, arrays in zip(names, (source, target))]
     try:
         made = quadmatch.match(*meshes, orientation=options.orientation, positions=options.positions, anchors=options.anchors,
@@ -96,7 +96,7 @@ def symmetry(arrays, name, positions, progress):
     if quadmatch is None:
         data = program.run(_required_program(), "symmetry", {"mesh": arrays}, ["-o", "map.json", "--quiet"] + ([] if positions else ["--no-positions"]),
                            progress, "map.json")
-        return _mirror_of_file(data, arrays)
+        return _mirror_of_file(data)
     made = quadmatch.symmetry(_mesh(quadmatch, name, arrays), positions=positions, progress=progress)
     if not made.complete:
         raise Cancelled()
@@ -105,10 +105,7 @@ def symmetry(arrays, name, positions, progress):
                   np.array(made.unpaired_faces), plane)
 
 
-def _mirror_of_file(data, arrays):
-    nothing = np.zeros(0, np.int32)
-    if data is None:
-        return Mirror(found.Found((), np.zeros((0, 2), np.int32)), 0, nothing, nothing, np.arange(arrays.face_count), None)
+def _mirror_of_file(data):
     said = data["symmetry"]
     plane = said["plane"] and (np.array(said["plane"]["normal"]), said["plane"]["offset"], said["plane"]["error"], said["plane"]["fits"])
     line = said["centre_line"]

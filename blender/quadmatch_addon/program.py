@@ -45,9 +45,10 @@ def run(program, verb, meshes, arguments, progress, written=None):
         if status not in (0, 1):
             raise Refusal(_sentence(errors.read_text(encoding="utf-8", errors="replace"), status))
         result = pathlib.Path(folder, written) if written else output
-        if not result.exists():
-            return None
-        return json.loads(result.read_text(encoding="utf-8"))
+        try:
+            return json.loads(result.read_text(encoding="utf-8"))
+        except (OSError, ValueError) as error:
+            raise Refusal(f"{program} gave no answer that can be read; is it the program quadmatch?") from error
 
 
 def _wait(command, folder, out, err, progress):

@@ -6,6 +6,7 @@ import subprocess
 
 import bpy
 import numpy as np
+from quadmatch_addon import memory
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = pathlib.Path(os.environ.get("QUADMATCH_BUILD", ROOT / "build" / "release"))
@@ -21,6 +22,7 @@ def clear():
     for collection in (bpy.data.objects, bpy.data.meshes, bpy.data.materials, bpy.data.collections, bpy.data.libraries):
         for item in list(collection):
             collection.remove(item)
+    memory.forget_all()
     settings = bpy.context.scene.quadmatch
     for name in list(settings.keys()):
         settings.property_unset(name)
