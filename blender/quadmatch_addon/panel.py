@@ -5,7 +5,8 @@ import bpy
 
 from . import engine
 
-LINE = 46  # characters of a line in a sidebar as wide as Blender makes it
+LETTER = 6.2  # width in pixels at a scale of 1, on the whole
+MARGIN = 64  # of icon, indent and tabs
 
 
 class Sidebar:
@@ -18,9 +19,11 @@ class Child(Sidebar):
     bl_parent_id = "QUADMATCH_PT_main"
 
 
-def text(layout, line, icon="NONE"):
-    """A sentence, broken into as many lines as it needs."""
-    for number, part in enumerate(textwrap.wrap(line, LINE) or [""]):
+def text(context, layout, line, icon="NONE"):
+    """A sentence, broken into as many lines as it needs in a sidebar of this width."""
+    scale = context.preferences.system.ui_scale
+    letters = max(16, int((context.region.width / scale - MARGIN) / LETTER))
+    for number, part in enumerate(textwrap.wrap(line, letters) or [""]):
         layout.label(text=part, icon=icon if number == 0 else "BLANK1" if icon != "NONE" else "NONE")
 
 
@@ -32,13 +35,13 @@ class QUADMATCH_PT_main(Sidebar, bpy.types.Panel):
         who, why = engine.state()
         if why:
             box = layout.box().column(align=True)
-            text(box, why[0].upper() + why[1:] + ".", "ERROR")
-            text(box, who[0].upper() + who[1:] + ".")
+            text(context, box, why[0].upper() + why[1:] + ".", "ERROR")
+            text(context, box, who[0].upper() + who[1:] + ".")
         column = layout.column(align=True)
         column.prop(settings, "source")
         column.prop(settings, "target")
         if settings.source is None and settings.target is None:
-            text(layout, "Or select two objects, the target last.")
+            text(context, layout, "Or select two objects, the target last.")
         column = layout.column(align=True)
         column.prop(settings, "orientation", text="")
         column.prop(settings, "positions")
@@ -68,7 +71,7 @@ class QUADMATCH_PT_anchors(Child, bpy.types.Panel):
             row.label(text="{} {}-{} = {} {}-{}".format(anchor.source, *anchor.source_edge, anchor.target, *anchor.target_edge))
             row.operator("quadmatch.remove_anchor", text="", icon="X", emboss=False).index = index
         if not settings.anchors:
-            text(layout, "In edit mode of both objects select two vertices of an edge one after the other, the same on both.")
+            text(context, layout, "In edit mode of both objects select two vertices of an edge one after the other, the same on both.")
         layout.operator("quadmatch.add_anchor", icon="ADD")
 
 
@@ -77,9 +80,9 @@ class QUADMATCH_PT_transfer(Child, bpy.types.Panel):
 
     def draw(self, context):
         layout, settings = self.layout, context.scene.quadmatch
-        grid = layout.grid_flow(columns=2, align=True, even_columns=True)
+        kinds = layout.column(align=True)
         for name in ("uv", "groups", "shapes", "colours", "materials", "edges", "order"):
-            grid.prop(settings, name)
+            kinds.prop(settings, name)
         column = layout.column(align=True)
         column.prop(settings, "allow_ambiguous")
         column.prop(settings, "min_confidence", slider=True)
@@ -92,7 +95,7 @@ class QUADMATCH_PT_mirror(Child, bpy.types.Panel):
 
     def draw(self, context):
         layout, settings = self.layout, context.scene.quadmatch
-        text(layout, "Of the active object, in any pose.")
+        text(context, layout, "Of the active object, in any pose.")
         layout.operator("quadmatch.mirror_map", icon="MOD_MIRROR")
         row = layout.row(align=True)
         row.prop(settings, "side", expand=True)
@@ -125,10 +128,11 @@ class QUADMATCH_PT_report(Child, bpy.types.Panel):
     def draw(self, context):
         column = self.layout.column(align=True)
         for line in context.scene.quadmatch.report.split("\n"):
-            text(column, line, "DOT")
+            text(context, column, line, "DOT")
 
 
-CLASSES = (QUADMATCH_PT_main, QUADMATCH_PT_match, QUADMATCH_PT_anchors, QUADMATCH_PT_transfer, QUADMATCH_PT_mirror, QUADMATCH_PT_diff, QUADMATCH_PT_report)
+CLASSES = (QUADMATCH_PT_main, QUADMATCH_PT_match, QUADMATCH_PT_report, QUADMATCH_PT_anchors, QUADMATCH_PT_transfer, QUADMATCH_PT_mirror,
+           QUADMATCH_PT_diff)
 
 
 def register():

@@ -5,12 +5,17 @@ def counted(number, noun):
     return f"{number:,} {noun}{'' if number == 1 else 's'}"
 
 
+def percent(part, whole):
+    """Rounded down: 100 % is all of it."""
+    return f"{int(1000 * part / whole) / 10:.1f} %"
+
+
 def match_lines(found, source, target, arrays):
     """The first line stands for all in the status bar."""
     lines = [f"{found.matched:,} faces are the same"]
     for obj, mesh in zip((source, target), arrays):
         missing = mesh.face_count - found.matched
-        lines.append(f"{obj.name}: {100 * found.matched / mesh.face_count:.1f} % of {mesh.face_count:,}, {missing:,} unmatched")
+        lines.append(f"{obj.name}: {percent(found.matched, mesh.face_count)} of {mesh.face_count:,}, {missing:,} unmatched")
     if found.regions:
         largest = found.regions[0]
         lines.append(f"{counted(len(found.regions), 'region')}, the largest {len(largest.faces):,}, confidence {100 * largest.confidence:.0f} %")

@@ -36,7 +36,7 @@ def compute_mirror(model, progress):
 
 def mirror_lines(model, mirror):
     paired = model.arrays.face_count - len(mirror.unpaired_faces)
-    lines = [f"{100 * paired / model.arrays.face_count:.1f} % of {model.arrays.face_count:,} faces have a mirror image, {len(mirror.unpaired_faces):,} have none"]
+    lines = [f"{sentences.percent(paired, model.arrays.face_count)} of {model.arrays.face_count:,} faces have a mirror image, {len(mirror.unpaired_faces):,} have none"]
     lines.append(f"Centre line: {len(mirror.line_vertices):,} vertices")
     if mirror.mirrors > 1:
         lines.append(f"Ambiguous: {mirror.mirrors} mirrors fit as well, one was taken")

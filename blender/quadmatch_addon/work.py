@@ -44,6 +44,8 @@ class Task:
         self._cancelled = True
 
     def outcome(self):
+        if self._cancelled:  # even if it ended before it heard of it
+            raise Cancelled()
         if self.error is not None:
             raise self.error
         return self.result

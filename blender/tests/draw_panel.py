@@ -17,7 +17,7 @@ bpy.context.preferences.view.show_splash = False
 
 import scene
 
-TABS = (("Item", 0), ("quadmatch", 3))  # tabs of the sidebar from the top
+TAB = (12, 132)  # where the tab quadmatch is, below Tool and View: from the right and from the top of the sidebar
 
 
 def view():
@@ -53,8 +53,11 @@ def open_scene():
     _, area = view()
     space = area.spaces.active
     space.show_region_ui, space.show_region_toolbar = True, False
+    space.overlay.show_wireframes, space.overlay.wireframe_opacity = True, 0.25
     space.shading.color_type = "VERTEX"
     space.overlay.show_floor = space.overlay.show_axis_x = space.overlay.show_axis_y = space.overlay.show_cursor = False
+    space.overlay.show_axis_y = space.overlay.show_ortho_grid = space.overlay.show_text = False
+    space.show_gizmo = False
     for obj in bears:
         obj.select_set(False)
 
@@ -68,19 +71,39 @@ def frame():
 def look():
     window, area = view()
     with bpy.context.temp_override(window=window, area=area, region=region(area, "WINDOW")):
-        bpy.ops.view3d.view_axis(type="FRONT")
+        bpy.ops.view3d.view_axis(type="TOP")  # these files have y up
         bpy.ops.view3d.view_all()
 
 
 def open_tab():
     _, area = view()
     sidebar = region(area, "UI")
-    press("LEFTMOUSE", sidebar.x + sidebar.width - 12, sidebar.y + sidebar.height - 180)
+    press("LEFTMOUSE", sidebar.x + sidebar.width - TAB[0], sidebar.y + sidebar.height - TAB[1])
 
 
 def match():
     if run(bpy.ops.quadmatch.match) != {"RUNNING_MODAL"}:
         raise RuntimeError("the match does not run beside Blender")
+
+
+def grow():
+    """A model that takes a while, twice."""
+    scene.clear()
+    obj = scene.load(scene.ROOT / "examples" / "bear.obj", "Large")
+    obj.modifiers.new("Finer", "SUBSURF").levels = 3
+    mesh = bpy.data.meshes.new_from_object(obj.evaluated_get(bpy.context.evaluated_depsgraph_get()))
+    settings = bpy.context.scene.quadmatch
+    settings.source, settings.target = scene.add_object("One", mesh), scene.add_object("Other", mesh.copy())
+
+
+def begin_and_stop():
+    match()
+    press("ESC")
+
+
+def see_nothing():
+    if bpy.context.scene.quadmatch.report or "quadmatch" in bpy.data.objects["One"].data.color_attributes:
+        raise RuntimeError("Esc did not stop the match")
 
 
 def see():
@@ -95,7 +118,7 @@ def draw():
     print("drawn", picture, flush=True)
 
 
-steps = [open_scene, frame, look, open_tab, match, None, None, see, None, draw]
+steps = [grow, begin_and_stop, None, see_nothing, open_scene, frame, look, open_tab, match, None, None, see, None, draw]
 
 
 def next_step():
