@@ -25,10 +25,10 @@ class Pair:
         self.names = self.source.name, self.target.name  # read here: compute() is in another thread
 
 
-def gather_pair(context):
+def gather_pair(context, edges=False):
     settings = context.scene.quadmatch
     source, target = objects.source_and_target(context)
-    arrays = arrays_of(source.data), arrays_of(target.data)
+    arrays = arrays_of(source.data, edges), arrays_of(target.data, edges)
     orientation = objects.stored_orientation(settings.orientation, source, target)
     rows = anchors.rows(settings, source, target, arrays, orientation)
     options = engine.Options(orientation, settings.positions, rows)

@@ -10,9 +10,9 @@ import numpy as np
 class MeshArrays:
     positions: np.ndarray  #: float32 of shape (V, 3), without modifiers and shape keys
     corners: np.ndarray  #: int32: the vertex of each corner ("loop"), face by face
-    edges: np.ndarray  #: int32: the edge from each corner to the next one of its face
     starts: np.ndarray  #: int32: the first corner of each face
     sizes: np.ndarray  #: int32: the corners of each face
+    edges: object = None  #: int32: the edge from each corner to the next one of its face; where they were asked for
 
     @property
     def vertex_count(self):
@@ -39,8 +39,8 @@ class MeshArrays:
     @functools.cached_property
     def fingerprint(self):
         """Equal for equal connectivity in the same order."""
-        digest = hashlib.blake2b(self.corners.tobytes())
-        digest.update(self.starts.tobytes())
+        digest = hashlib.sha1(self.corners, usedforsecurity=False)
+        digest.update(self.starts)
         return digest.hexdigest()
 
 
@@ -51,15 +51,24 @@ def read(elements, name, count, dtype):
     return values
 
 
-def arrays_of(mesh):
+def indices(elements, name, count):
+    """Numbers of vertices, edges or corners, as int32. Blender keeps them unsigned, and copies whole arrays only to the same type."""
+    return read(elements, name, count, np.uint32).view(np.int32)
+
+
+def edges_of(mesh):
+    """int32: the edge from each corner to the next one of its face."""
+    return indices(mesh.loops, "edge_index", len(mesh.loops))
+
+
+def arrays_of(mesh, edges=False):
     positions = read(mesh.vertices, "co", 3 * len(mesh.vertices), np.float32).reshape(-1, 3)
-    corners = read(mesh.loops, "vertex_index", len(mesh.loops), np.int32)
-    edges = read(mesh.loops, "edge_index", len(mesh.loops), np.int32)
-    starts = read(mesh.polygons, "loop_start", len(mesh.polygons), np.int32)
-    sizes = read(mesh.polygons, "loop_total", len(mesh.polygons), np.int32)
-    return MeshArrays(positions, corners, edges, starts, sizes)
+    corners = indices(mesh.loops, "vertex_index", len(mesh.loops))
+    starts = indices(mesh.polygons, "loop_start", len(mesh.polygons))
+    sizes = indices(mesh.polygons, "loop_total", len(mesh.polygons))
+    return MeshArrays(positions, corners, starts, sizes, edges_of(mesh) if edges else None)
 
 
 def edge_vertices(mesh):
     """int32 of shape (E, 2)."""
-    return read(mesh.edges, "vertices", 2 * len(mesh.edges), np.int32).reshape(-1, 2)
+    return indices(mesh.edges, "vertices", 2 * len(mesh.edges)).reshape(-1, 2)

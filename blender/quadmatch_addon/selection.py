@@ -2,7 +2,7 @@
 import bpy
 import numpy as np
 
-from .mesh_arrays import read
+from .mesh_arrays import edge_vertices, edges_of, read
 
 
 def select_faces(mesh, arrays, faces):
@@ -14,7 +14,7 @@ def select_faces(mesh, arrays, faces):
     vertices = np.zeros(arrays.vertex_count, bool)
     vertices[arrays.corners[at_corner]] = True
     edges = np.zeros(len(mesh.edges), bool)
-    edges[arrays.edges[at_corner]] = True
+    edges[edges_of(mesh)[at_corner]] = True
     mesh.polygons.foreach_set("select", seen)
     mesh.vertices.foreach_set("select", vertices)
     mesh.edges.foreach_set("select", edges)
@@ -25,9 +25,8 @@ def select_faces(mesh, arrays, faces):
 def select_vertices(mesh, arrays, vertices):
     """Select these vertices and nothing else, and edges and faces all of whose vertices are."""
     vertices = np.asarray(vertices, bool) & ~read(mesh.vertices, "hide", arrays.vertex_count, bool)
-    ends = read(mesh.edges, "vertices", 2 * len(mesh.edges), np.int32).reshape(-1, 2)
     mesh.vertices.foreach_set("select", vertices)
-    mesh.edges.foreach_set("select", vertices[ends].all(axis=1))
+    mesh.edges.foreach_set("select", vertices[edge_vertices(mesh)].all(axis=1))
     mesh.polygons.foreach_set("select", np.logical_and.reduceat(vertices[arrays.corners], arrays.starts))
     mesh.update()
 

@@ -24,7 +24,7 @@ class Model:
 def gather_model(context):
     obj = objects.active_mesh(context)
     objects.refuse_unless_writable(obj)
-    return Model(obj, arrays_of(obj.data), context.scene.quadmatch.positions, obj.name)
+    return Model(obj, arrays_of(obj.data, edges=True), context.scene.quadmatch.positions, obj.name)
 
 
 def compute_mirror(model, progress):

@@ -22,7 +22,7 @@ class QUADMATCH_OT_transfer(Working, bpy.types.Operator):
         settings = context.scene.quadmatch
         if not any(getattr(settings, name) for name in KINDS):
             raise Refusal("nothing is to be transferred; tick what is")
-        pair = match_operator.gather_pair(context)
+        pair = match_operator.gather_pair(context, edges=True)
         objects.refuse_unless_writable(pair.target)
         return pair
 
