@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # On a fresh Debian 12: installs what is missing and runs all tests. usage: ./test.sh [--core]
-#   --core  only what needs small packages: no fuzzing, linting, WebAssembly, browser or documentation
+#   --core  only what needs small packages: no fuzzing, linting, WebAssembly, browser, Blender or documentation
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -17,7 +17,7 @@ build() { cmake --preset "$1" > build/"$1".log || { cat build/"$1".log; exit 1; 
 mkdir -p build
 stage "install what is missing"
 scripts/install.sh core viewer tests bench python
-[ $core = yes ] || scripts/install.sh quality browser web cluster docs
+[ $core = yes ] || scripts/install.sh quality browser web cluster docs blender
 
 if [ $core = no ]; then
   stage "format and habits"
@@ -64,6 +64,11 @@ scripts/test_batch.py
 if [ $core = no ]; then
   stage "many pairs through Slurm"
   scripts/test_cluster.sh
+fi
+if [ $core = no ]; then
+  stage "the Blender add-on, installed from its zip"
+  scripts/build_blender.sh
+  scripts/test_blender.sh
 fi
 
 stage "tests, sanitized"

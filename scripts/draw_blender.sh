@@ -4,6 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+export PATH=/usr/bin:/bin  # Debian's Blender looks for Python's modules beside the first python3 on PATH
 folder=$PWD/build/blender/draw
 rm -rf "$folder"
 mkdir -p "$folder/scripts" "$folder/config"

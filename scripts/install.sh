@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing of Debian 12's packages: install.sh SET...  Sets: core viewer tests python quality browser web docs bench cluster.
+# Installs what is missing of Debian 12's packages: install.sh SET...  Sets: core tests python blender bench quality browser viewer web cluster docs.
 # Asks nothing, changes nothing where all is there already.
 set -euo pipefail
 
@@ -7,6 +7,7 @@ declare -A sets=(
   [core]="g++ cmake ninja-build libcli11-dev libfmt-dev nlohmann-json3-dev libxxhash-dev libeigen3-dev libboost-dev libsqlite3-dev libcsv-dev libtbb-dev"
   [tests]="doctest-dev libtinyobjloader-dev libbliss-dev libgmp-dev git python3"
   [python]="pybind11-dev python3-dev python3-venv python3-pip python3-setuptools python3-wheel python3-pybind11 python3-numpy python3-pytest python3-hypothesis python3-meshio mypy"
+  [blender]="blender python3-numpy libegl1 libgl1-mesa-dri xvfb"
   [bench]="libbenchmark-dev libtinyobjloader-dev libbliss-dev libgmp-dev python3 python3-matplotlib"
   [quality]="clang-14 clang-format-14 clang-tidy-16 libclang-rt-14-dev"
   [browser]="clang-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc"

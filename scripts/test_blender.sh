@@ -8,6 +8,7 @@ command -v blender > /dev/null || { echo "test_blender: there is no blender; run
 zip=$(ls build/blender/quadmatch-*.zip)
 folder=$PWD/build/blender/tests
 rm -rf "$folder"
+export PATH=/usr/bin:/bin  # Debian's Blender looks for Python's modules beside the first python3 on PATH
 export QUADMATCH_BUILD=${QUADMATCH_BUILD:-$PWD/build/release} QUADMATCH_TEST_FOLDER=$folder
 
 # Each run of Blender has folders of its own for settings and add-ons, and shows what it said only if it failed.
