@@ -2,7 +2,7 @@
 import numpy as np
 
 NAME = "quadmatch"
-KIND = "FLOAT_COLOR"  # Blender copies whole arrays of them; bytes it converts one by one, thirty times as slowly
+KIND = "FLOAT_COLOR"  # Blender copies whole arrays of them; bytes it converts one by one, far more slowly
 MATCHED, AMBIGUOUS, UNMATCHED, CENTRE = (0.10, 0.35, 0.80, 1), (0.95, 0.75, 0.10, 1), (0.85, 0.10, 0.08, 1), (0.9, 0.9, 0.9, 1)
 
 
