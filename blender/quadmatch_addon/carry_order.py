@@ -20,7 +20,7 @@ def carry(source, target, along):
         edited.free()
     mesh.update()
     whole = len(along.own_vertices) == len(mesh.vertices) == len(source.data.vertices)
-    return [f"Vertex order: {counted(len(along.own_vertices), 'vertex').replace('vertexs', 'vertices')} as in the source, {'all of it' if whole else 'the rest after them'}"]
+    return [f"Vertex order: {counted(len(along.own_vertices), 'vertex')} as in the source, {'all of it' if whole else 'the rest after them'}"]
 
 
 def _places(pairs, count):

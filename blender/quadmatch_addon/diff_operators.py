@@ -32,12 +32,12 @@ class QUADMATCH_OT_diff(Working, bpy.types.Operator):
         for change in found.changes:
             _add(settings, label_of(change), pair, faces=faces_of(change, found.match))
         if len(found.moved):
-            _add(settings, f"moved: {sentences.counted(len(found.moved), 'vertex').replace('vertexs', 'vertices')}", pair, vertices=found.moved.T)
+            _add(settings, f"moved: {sentences.counted(len(found.moved), 'vertex')}", pair, vertices=found.moved.T)
         settings.change = 0
         faces = [faces_of(change, found.match) for change in found.changes]
         lost = select(context, pair, [np.concatenate([rows[side] for rows in faces] or [np.zeros(0, int)]) for side in (0, 1)]) if faces else []
         same = not found.changes and not len(found.moved)
-        first = "no differences" if same else f"{sentences.counted(len(found.changes), 'change')}, {len(found.moved):,} vertices moved"
+        first = "no differences" if same else f"{sentences.counted(len(found.changes), 'change')}, {sentences.counted(len(found.moved), 'vertex')} moved"
         return [first, *(item.name for item in settings.changes), *lost, *sentences.doubts(region for region in found.match.regions if region.ambiguous),
                 *objects.notes_on(pair.source, pair.target)]
 

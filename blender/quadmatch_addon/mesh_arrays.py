@@ -5,6 +5,8 @@ import hashlib
 
 import numpy as np
 
+from .refusal import Refusal
+
 
 @dataclasses.dataclass(frozen=True)
 class MeshArrays:
@@ -66,6 +68,8 @@ def arrays_of(mesh, edges=False):
     corners = indices(mesh.loops, "vertex_index", len(mesh.loops))
     starts = indices(mesh.polygons, "loop_start", len(mesh.polygons))
     sizes = indices(mesh.polygons, "loop_total", len(mesh.polygons))
+    if not np.array_equal(starts[1:], (starts + sizes)[:-1]):
+        raise Refusal(f"the mesh {mesh.name} keeps its faces in another order than their corners; enter edit mode and leave it once")
     return MeshArrays(positions, corners, starts, sizes, edges_of(mesh) if edges else None)
 
 

@@ -75,20 +75,34 @@ def _coordinates(mesh):
 @contextlib.contextmanager
 def object_mode(context, objects):
     """Out of edit mode (or any other), and back into it afterwards. What was edited is kept."""
-    active = context.view_layer.objects.active
-    mode = active.mode if active else "OBJECT"
     if all(obj.mode == "OBJECT" for obj in objects):
         yield
         return
-    bpy.ops.object.mode_set(mode="OBJECT")
-    busy = next((obj for obj in objects if obj.mode != "OBJECT"), None)
-    if busy is not None:
-        bpy.ops.object.mode_set(mode=mode)
-        raise Refusal(f"{busy.name} is in {busy.mode.lower()} mode in another window; leave it there first")
+    active = context.view_layer.objects.active
+    mode = active.mode if active else "OBJECT"
+    edited = [obj for obj in context.view_layer.objects if obj.mode == mode]
+    if mode != "OBJECT":
+        bpy.ops.object.mode_set(mode="OBJECT")
     try:
+        busy = next((obj for obj in objects if obj.mode != "OBJECT"), None)
+        if busy is not None:
+            raise Refusal(f"{busy.name} is in {busy.mode.lower()} mode elsewhere; leave it there first")
         yield
     finally:
-        bpy.ops.object.mode_set(mode=mode)
+        if mode != "OBJECT":
+            _enter(context, mode, edited)
+
+
+def _enter(context, mode, objects):
+    """Enter a mode on these objects and no others: Blender takes all that are selected."""
+    selected = [obj for obj in context.view_layer.objects if obj.select_get()]
+    for obj in selected:
+        obj.select_set(obj in objects)
+    for obj in objects:
+        obj.select_set(True)
+    bpy.ops.object.mode_set(mode=mode)
+    for obj in context.view_layer.objects:
+        obj.select_set(obj in selected)
 
 
 def mirrored(obj):

@@ -1,8 +1,12 @@
 """What is said of a match, one short line each: the sidebar is narrow."""
 
 
+PLURALS = {"vertex": "vertices"}
+
+
 def counted(number, noun):
-    return f"{number:,} {noun}{'' if number == 1 else 's'}"
+    """"1 vertex", "2,000 vertices"."""
+    return f"{number:,} {noun if number == 1 else PLURALS.get(noun, noun + 's')}"
 
 
 def percent(part, whole):

@@ -86,6 +86,16 @@ class BadInput(Case):
         self.pick(self.source, scene.add("Triangle", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]))
         self.assertRefused(bpy.ops.quadmatch.transfer, "no faces are the same", self.source)
 
+    def test_faces_in_another_order_than_their_corners(self):
+        polygons = self.target.data.polygons
+        polygons[0].loop_start, polygons[1].loop_start = 4, 0
+        self.both_refuse("the mesh Target keeps its faces in another order than their corners; enter edit mode and leave it once")
+
+    def test_a_mesh_of_several_users_is_matched_if_nothing_is_written(self):
+        scene.add_object("Twin", self.target.data)
+        self.settings.colour, self.settings.select = "none", False
+        self.call(bpy.ops.quadmatch.match)
+
     def test_an_object_outside_the_view_layer(self):
         bpy.context.scene.collection.objects.unlink(self.target)
         self.both_refuse("Target is not in this view layer")

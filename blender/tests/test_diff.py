@@ -55,7 +55,7 @@ class Diff(Case):
         pair = self.truth.vertices[100]
         self.target.data.vertices[int(pair[1])].co.x += 0.1
         lines = self.call(bpy.ops.quadmatch.diff)
-        self.assertEqual(lines[:2], ["0 changes, 1 vertices moved", "moved: 1 vertex"])
+        self.assertEqual(lines[:2], ["0 changes, 1 vertex moved", "moved: 1 vertex"])
         self.call(bpy.ops.quadmatch.select_change, index=0)
         self.assertEqual((self.selected(self.source, "vertices"), self.selected(self.target, "vertices")), ({int(pair[0])}, {int(pair[1])}))
 

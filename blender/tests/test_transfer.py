@@ -1,4 +1,5 @@
 """Transfer on edited characters, with data made by formula from the numbers of vertices, corners, edges and faces."""
+import bmesh
 import bpy
 import numpy as np
 
@@ -264,12 +265,13 @@ class Kinds(Case):
         bpy.context.view_layer.objects.active = target
         target.select_set(True)
         bpy.ops.object.mode_set(mode="EDIT")
-        import bmesh
+        self.source.select_set(True)
         mesh = bmesh.from_edit_mesh(target.data)
         mesh.faces.ensure_lookup_table()
         bmesh.ops.delete(mesh, geom=[mesh.faces[100]], context="FACES_ONLY")
         lines = self.transfer(target, "groups")
-        self.assertEqual(target.mode, "EDIT")
+        self.assertEqual((self.source.mode, target.mode), ("OBJECT", "EDIT"))
+        self.assertTrue(self.source.select_get() and target.select_get())
         self.assertIn("2,943 faces", lines[0])
         bpy.ops.object.mode_set(mode="OBJECT")
         self.assertEqual(len(target.data.polygons), 2943)
