@@ -50,13 +50,17 @@ def _mesh(quadmatch, name, arrays):
         raise Refusal(str(error)) from error
 
 
+def _match_by_program(source, target, options, progress):
+    """The object in a match file."""
+    return program.run(_required_program(), "match", {"source": source, "target": target},
+                       [*options.arguments(), "--quiet", "-o", "match.json"], progress, written="match.json")
+
+
 def match(source, target, names, options, progress):
     """Found. progress(matched, most): False cancels."""
     quadmatch = library.load()
     if quadmatch is None:
-        data = program.run(_required_program(), "match", {"source": source, "target": target},
-                           [*options.arguments(), "--quiet", "-o", "match.json"], progress, "match.json")
-        return found.from_match_file(data)
+        return found.from_match_file(_match_by_program(source, target, options, progress))
     meshes = [_mesh(quadmatch, name, arrays) for name, arrays in zip(names, (source, target))]
     try:
         made = quadmatch.match(*meshes, orientation=options.orientation, positions=options.positions, anchors=options.anchors,
@@ -133,7 +137,7 @@ def diff(source, target, names, options, tolerance, progress):
     """What was changed from source to target, the largest change first."""
     quadmatch = library.load()
     if quadmatch is None:
-        return _diff_by_program(source, target, names, options, tolerance, progress)
+        return _diff_by_program(source, target, options, tolerance, progress)
     meshes = [_mesh(quadmatch, name, arrays) for name, arrays in zip(names, (source, target))]
     try:
         made = quadmatch.match(*meshes, orientation=options.orientation, positions=options.positions, anchors=options.anchors,
@@ -148,12 +152,10 @@ def diff(source, target, names, options, tolerance, progress):
     return Differences(changes, np.array(said.moved), found.from_library(made))
 
 
-def _diff_by_program(source, target, names, options, tolerance, progress):
-    path = _required_program()
-    match_made = match(source, target, names, options, progress)
-    data = program.run(path, "diff", {"source": source, "target": target},
-                       ["--json", "--tolerance", repr(tolerance), "--orientation", options.orientation] + ([] if options.positions else ["--no-positions"]),
-                       progress)
-    arrays = [[np.array(row[key], np.int32) for key in ("source_faces", "target_faces", "rejoined_source_faces")] for row in data["changes"]]
-    return Differences(tuple(Change(row["kind"], *faces) for row, faces in zip(data["changes"], arrays)),
-                       np.array(data["moved"], np.int32).reshape(-1, 2), match_made)
+def _diff_by_program(source, target, options, tolerance, progress):
+    made = _match_by_program(source, target, options, progress)
+    data = program.run(_required_program(), "diff", {"source": source, "target": target},
+                       ["--json", "--match", "match.json", "--tolerance", repr(tolerance)], progress, given={"match.json": made})
+    changes = tuple(Change(row["kind"], *(np.array(row[key], np.int32) for key in ("source_faces", "target_faces", "rejoined_source_faces")))
+                    for row in data["changes"])
+    return Differences(changes, np.array(data["moved"], np.int32).reshape(-1, 2), found.from_match_file(made))

@@ -30,14 +30,17 @@ def write_ply(path, mesh):
         file.write(np.insert(mesh.corners, mesh.starts, mesh.sizes).astype("<i4").tobytes())
 
 
-def run(program, verb, meshes, arguments, progress, written=None):
+def run(program, verb, meshes, arguments, progress, written=None, given=None):
     """Run `quadmatch VERB MESH... ARGUMENT...`; the object printed as JSON, or that in the file `written`.
 
-    meshes: name to MeshArrays. progress: called now and then; False stops the program.
+    meshes: name to MeshArrays. given: name of a file to its object, as JSON. progress: called now and then; False stops the
+    program.
     """
     with tempfile.TemporaryDirectory(prefix="quadmatch_") as folder:
         for name, mesh in meshes.items():
             write_ply(pathlib.Path(folder, name + ".ply"), mesh)
+        for name, data in (given or {}).items():
+            pathlib.Path(folder, name).write_text(json.dumps(data), encoding="utf-8")
         command = [program, verb, *(name + ".ply" for name in meshes), *arguments]
         output, errors = pathlib.Path(folder, "stdout"), pathlib.Path(folder, "stderr")
         with open(output, "wb") as out, open(errors, "wb") as err:

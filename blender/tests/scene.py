@@ -61,6 +61,14 @@ def grid(name, columns, rows):
     return add(name, positions, faces)
 
 
+def mixed_pair():
+    """A triangle, a square and a pentagon around a vertex, and the same in another order."""
+    points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (-1, 0, 0), (-1, -1, 0), (0, -1, 0), (1, -1, 0)]
+    one = add("Mixed", points + [(2, 2, 0)], [(0, 1, 2), (0, 2, 3, 4), (0, 4, 5, 6, 1)])
+    other = add("Turned", [points[6 - i] for i in range(7)] + [(2, 2, 0)], [(0, 5, 6, 2, 1), (6, 5, 4), (3, 2, 6, 4)])
+    return one, other
+
+
 class Truth:
     """What an edit left: pairs of faces, corners, vertices and edges of two objects, each (K, 2).
 

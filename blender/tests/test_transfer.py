@@ -242,6 +242,15 @@ class Kinds(Case):
         self.pick(self.source, target)
         self.assertRefused(bpy.ops.quadmatch.transfer, "no part is the same beyond doubt", target)
 
+    def test_faces_of_any_size_take_their_corners_along(self):
+        self.source, target = scene.mixed_pair()
+        layer = self.source.data.uv_layers.new(name="Layout", do_init=False)
+        layer.data.foreach_set("uv", np.repeat(np.arange(12, dtype=np.float32), 2))
+        self.transfer(target, "uv")
+        there = scene.numbers(target.data.uv_layers["Layout"].data, "uv", 2)[:, 0]
+        # Vertex v of the source is 6 - v of the target; faces are pentagon, triangle, square here.
+        self.assertEqual(there.tolist(), [10, 11, 7, 8, 9, 0, 1, 2, 5, 6, 3, 4])
+
     def test_a_hidden_target_takes_data_and_stays_hidden(self):
         self.source.vertex_groups.new(name="Arm").add([5], 0.5, "REPLACE")
         target = copy_of(self.source, "Target")

@@ -63,6 +63,24 @@ class Unfitting(Case):
         self.assertEqual(lines[0], "2 changes, 2,666 vertices moved")
         self.assertEqual([item.name for item in self.settings.changes], lines[1:4])
 
+    def test_the_program_takes_anchors(self):
+        self.preferences.program = program
+        one, other = scene.grid("One", 4, 4), scene.grid("Other", 4, 4)
+        one.vertex_groups.new(name="Mark").add([0], 1.0, "REPLACE")
+        self.pick(one, other)
+        self.settings.positions, self.settings.allow_ambiguous = False, True
+        for first, second, corner in (((0, 1), (24, 23), 24), ((0, 1), (4, 9), 4)):
+            self.settings.anchors.clear()
+            anchor = self.settings.anchors.add()
+            anchor.source, anchor.target, anchor.source_edge, anchor.target_edge = "One", "Other", first, second
+            self.call(bpy.ops.quadmatch.transfer)
+            self.assertEqual(np.flatnonzero(scene.weights(other, "Mark") == 1).tolist(), [corner])
+
+    def test_the_program_takes_faces_of_any_size(self):
+        self.preferences.program = program
+        self.pick(*scene.mixed_pair())
+        self.assertEqual(self.call(bpy.ops.quadmatch.match)[0], "3 faces are the same")
+
     def test_where_nothing_is_the_same_it_is_refused(self):
         self.preferences.program = program
         pair = scene.grid("One", 1, 1), scene.add("Triangle", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
