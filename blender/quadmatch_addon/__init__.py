@@ -14,9 +14,11 @@ bl_info = {
     "category": "Mesh",
 }
 
-from . import anchors, diff_operators, match_operator, memory, panel, preferences, properties, symmetry_operators, transfer_operator
+from . import (
+    anchors, diff_operators, match_operator, memory, panel, preferences, properties, symmetry_operators, transfer_operator)
 
-MODULES = (preferences, properties, anchors, match_operator, transfer_operator, symmetry_operators, diff_operators, panel)
+MODULES = (
+    preferences, properties, anchors, match_operator, transfer_operator, symmetry_operators, diff_operators, panel)
 
 
 def register():

@@ -13,11 +13,10 @@ def rows(settings, source, target, arrays, orientation):
     for anchor in settings.anchors:
         if (anchor.source, anchor.target) != (source.name, target.name):
             continue
-        left = corner_left_of(arrays[0], *anchor.source_edge, source.name)
-        a, b = anchor.target_edge
-        # The corner lies at the edge's first vertex: turned over, what is to the left of the source's edge is to the right here.
-        there = corner_right_of(arrays[1], a, b, target.name) if orientation == "reversing" else corner_left_of(arrays[1], a, b, target.name)
-        found.append((*left, *there))
+        here = corner_left_of(arrays[0], *anchor.source_edge, source.name)
+        # Turned over, what is to the left of the source's edge is to the right of the target's.
+        side = corner_right_of if orientation == "reversing" else corner_left_of
+        found.append((*here, *side(arrays[1], *anchor.target_edge, target.name)))
     return tuple(found)
 
 
@@ -52,8 +51,8 @@ def selected_edge(obj):
     mesh = bmesh.from_edit_mesh(obj.data)
     picked = [element for element in mesh.select_history if isinstance(element, bmesh.types.BMVert)]
     if len(picked) != 2 or sum(vertex.select for vertex in mesh.verts) != 2:
-        raise Refusal(f"{obj.name}: select two vertices of an edge one after the other, in the same order on both objects; "
-                      f"{sum(vertex.select for vertex in mesh.verts)} are selected")
+        raise Refusal(f"{obj.name}: select two vertices of an edge one after the other, in the same order on both "
+                      f"objects; {sum(vertex.select for vertex in mesh.verts)} are selected")
     if not any(edge.other_vert(picked[0]) == picked[1] for edge in picked[0].link_edges):
         raise Refusal(f"{obj.name}: no edge joins the two selected vertices")
     return tuple(vertex.index for vertex in picked)
@@ -76,7 +75,8 @@ class QUADMATCH_OT_add_anchor(bpy.types.Operator):
         anchor = settings.anchors.add()
         anchor.source, anchor.target = source.name, target.name
         anchor.source_edge, anchor.target_edge = edges
-        self.report({"INFO"}, "Anchor: the edge {} to {} of {} is {} to {} of {}".format(*edges[0], source.name, *edges[1], target.name))
+        self.report({"INFO"}, "Anchor: the edge {} to {} of {} is {} to {} of {}".format(
+            *edges[0], source.name, *edges[1], target.name))
         return {"FINISHED"}
 
 

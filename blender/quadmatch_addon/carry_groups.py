@@ -5,7 +5,7 @@ from .sentences import counted
 
 
 def carry(source, target, along):
-    """Groups are found by name, or made. At vertices with a partner the target has the source's weights in them, exactly."""
+    """At vertices with a partner the target has the source's weights, exactly. Groups are found by name, or made."""
     if not source.vertex_groups:
         return []
     group_of = {}
@@ -15,7 +15,8 @@ def carry(source, target, along):
             mine = target.vertex_groups.new(name=group.name)
             mine.lock_weight = group.lock_weight
         group_of[group.index] = mine
-    write(target, group_of.values(), along.vertices[:, 1].tolist(), _weights(source, group_of, along.vertices[:, 0].tolist()))
+    here, there = along.vertices.T.tolist()
+    write(target, group_of.values(), there, _weights(source, group_of, here))
     return [f"{counted(len(group_of), 'vertex group')}: {len(along.vertices):,} vertices"]
 
 
@@ -39,4 +40,5 @@ def _weights(source, group_of, vertices):
     """With the indices that the groups have in the target."""
     index = {theirs: mine.index for theirs, mine in group_of.items()}
     every = source.data.vertices
-    return [{index[element.group]: element.weight for element in every[vertex].groups if element.group in index} for vertex in vertices]
+    return [{index[element.group]: element.weight for element in every[vertex].groups if element.group in index}
+            for vertex in vertices]

@@ -6,12 +6,16 @@ from .sentences import counted
 
 
 def carry(source, target, along):
-    """What has a partner comes first, in the source's order; the rest after it, in its own. Corners keep where they start."""
+    """What has a partner comes first, in the source's order; the rest after it, in its own.
+
+    Corners keep where they start.
+    """
     mesh = target.data
     edited = bmesh.new()
     try:
         edited.from_mesh(mesh)
-        for elements, pairs in ((edited.verts, along.own_vertices), (edited.edges, along.edges), (edited.faces, along.faces)):
+        kinds = (edited.verts, along.own_vertices), (edited.edges, along.edges), (edited.faces, along.faces)
+        for elements, pairs in kinds:
             for element, place in zip(list(elements), _places(pairs, len(elements)).tolist()):
                 element.index = place
             elements.sort()
@@ -20,7 +24,8 @@ def carry(source, target, along):
         edited.free()
     mesh.update()
     whole = len(along.own_vertices) == len(mesh.vertices) == len(source.data.vertices)
-    return [f"Vertex order: {counted(len(along.own_vertices), 'vertex')} as in the source, {'all of it' if whole else 'the rest after them'}"]
+    rest = "all of it" if whole else "the rest after them"
+    return [f"Vertex order: {counted(len(along.own_vertices), 'vertex')} as in the source, {rest}"]
 
 
 def _places(pairs, count):

@@ -11,7 +11,7 @@ def points_of(key):
 
 
 def carry(source, target, along):
-    """Keys are found by name, or made. Vertices without partner stay where the relative key has them, or where the key had them."""
+    """Keys are found by name, or made. Vertices without partner stay where the key had them; in a new one, at its base."""
     keys = source.data.shape_keys
     if keys is None or len(keys.key_blocks) < 2:
         return []
@@ -25,9 +25,8 @@ def carry(source, target, along):
         if key != keys.reference_key:
             mine[key.name] = _key(target, key, fresh)
     for key in _relative_first(keys):
-        base, basis = mine[key.name], mine[key.relative_key.name]
-        base.relative_key = basis
-        _write(points_of(key), points_of(key.relative_key), base, points_of(basis), here, there, matrices, key.name in fresh)
+        mine[key.name].relative_key = mine[key.relative_key.name]
+        _write(key, mine[key.name], here, there, matrices, key.name in fresh)
     target.data.update()
     return [f"{counted(len(keys.key_blocks) - 1, 'shape key')}: {len(here):,} vertices", *lines]
 
@@ -42,10 +41,12 @@ def _partners(source, target, along):
         chosen = turned == side
         if not chosen.any():
             continue
-        matrix = displacement_matrix(bases[0][pairs[chosen, 0]], bases[1][pairs[chosen, 1]], _edges_among(source.data, pairs[chosen, 0]), side)
+        matrix = displacement_matrix(bases[0][pairs[chosen, 0]], bases[1][pairs[chosen, 1]],
+                                     _edges_among(source.data, pairs[chosen, 0]), side)
         if matrix is None:
             kept[chosen] = False
-            lines.append(f"Shape keys are left out on {chosen.sum():,} vertices: they lie turned over and posed, so nobody knows which way they move")
+            lines.append(f"Shape keys are left out on {chosen.sum():,} vertices: they lie turned over and posed, "
+                         "so nobody knows which way they move")
         else:
             matrices[chosen] = matrix
             lines += _said(matrix)
@@ -90,7 +91,10 @@ def _relative_first(keys):
         yield from ready
 
 
-def _write(theirs, their_basis, key, basis, here, there, matrices, fresh):
+def _write(source_key, key, here, there, matrices, fresh):
+    """The displacements of the source's key, from what it is relative to, onto the target's."""
+    theirs, their_basis = points_of(source_key), points_of(source_key.relative_key)
+    basis = points_of(key.relative_key)
     points = basis.copy() if fresh else points_of(key)
     moves = theirs[here] - their_basis[here]
     if matrices is not None:

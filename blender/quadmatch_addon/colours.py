@@ -1,9 +1,10 @@
-"""The colour attribute "quadmatch" that shows a match: a colour for each face, at its corners, so that borders are crisp."""
+"""The colour attribute "quadmatch" that shows a match: a colour for each face, at its corners: borders are crisp."""
 import numpy as np
 
 NAME = "quadmatch"
 KIND = "FLOAT_COLOR"  # Blender copies whole arrays of them; bytes it converts one by one, far more slowly
-MATCHED, AMBIGUOUS, UNMATCHED, CENTRE = (0.10, 0.35, 0.80, 1), (0.95, 0.75, 0.10, 1), (0.85, 0.10, 0.08, 1), (0.9, 0.9, 0.9, 1)
+MATCHED, AMBIGUOUS, UNMATCHED = (0.10, 0.35, 0.80, 1), (0.95, 0.75, 0.10, 1), (0.85, 0.10, 0.08, 1)
+CENTRE = (0.9, 0.9, 0.9, 1)
 
 
 def by_state(found, arrays):

@@ -34,17 +34,31 @@ class QUADMATCH_OT_diff(Working, bpy.types.Operator):
         if len(found.moved):
             _add(settings, f"moved: {sentences.counted(len(found.moved), 'vertex')}", pair, vertices=found.moved.T)
         settings.change = 0
-        faces = [faces_of(change, found.match) for change in found.changes]
-        lost = select(context, pair, [np.concatenate([rows[side] for rows in faces] or [np.zeros(0, int)]) for side in (0, 1)]) if faces else []
-        same = not found.changes and not len(found.moved)
-        first = "no differences" if same else f"{sentences.counted(len(found.changes), 'change')}, {sentences.counted(len(found.moved), 'vertex')} moved"
-        return [first, *(item.name for item in settings.changes), *lost, *sentences.doubts(region for region in found.match.regions if region.ambiguous),
+        hidden = _select_all(context, pair, found)
+        doubts = sentences.doubts(region for region in found.match.regions if region.ambiguous)
+        return [summary(found), *(item.name for item in settings.changes), *hidden, *doubts,
                 *objects.notes_on(pair.source, pair.target)]
 
 
+def summary(found):
+    if not found.changes and not len(found.moved):
+        return "no differences"
+    return f"{sentences.counted(len(found.changes), 'change')}, {sentences.counted(len(found.moved), 'vertex')} moved"
+
+
+def _select_all(context, pair, found):
+    faces = [faces_of(change, found.match) for change in found.changes]
+    if not faces:
+        return []
+    return select(context, pair, [np.concatenate([both[side] for both in faces]) for side in (0, 1)])
+
+
 def label_of(change):
-    parts = [f"{len(faces):,} {word}" for faces, word in ((change.target_faces, "added"), (change.source_faces, "removed")) if len(faces)]
-    return f"{change.kind}: faces {', '.join(parts)}" if parts else f"{change.kind}: {len(change.rejoined):,} faces joined otherwise"
+    sides = (change.target_faces, "added"), (change.source_faces, "removed")
+    parts = [f"{len(faces):,} {word}" for faces, word in sides if len(faces)]
+    if not parts:
+        return f"{change.kind}: {len(change.rejoined):,} faces joined otherwise"
+    return f"{change.kind}: faces {', '.join(parts)}"
 
 
 def faces_of(change, match):
@@ -68,8 +82,10 @@ def select(context, pair, elements, kind="faces"):
         for obj, mesh, rows in zip((pair.source, pair.target), pair.arrays, elements):
             chosen = np.zeros(mesh.face_count if kind == "faces" else mesh.vertex_count, bool)
             chosen[rows] = True
-            (selection.select_faces if kind == "faces" else selection.select_vertices)(obj.data, mesh, chosen)
-    hidden = selection.edit(context, (pair.source, pair.target), pair.target, "FACE" if kind == "faces" else "VERT", "Select Differences")
+            write = selection.select_faces if kind == "faces" else selection.select_vertices
+            write(obj.data, mesh, chosen)
+    mode = "FACE" if kind == "faces" else "VERT"
+    hidden = selection.edit(context, (pair.source, pair.target), pair.target, mode, "Select Differences")
     return [f"{name} is hidden; it is not opened in edit mode" for name in hidden]
 
 
@@ -79,7 +95,8 @@ class QUADMATCH_OT_select_change(bpy.types.Operator):
     bl_label = "Select Change"
     bl_options = {"REGISTER", "UNDO"}
 
-    index: bpy.props.IntProperty(default=-1, options={"SKIP_SAVE"}, description="Which change of the list; -1: the active one")
+    index: bpy.props.IntProperty(default=-1, options={"SKIP_SAVE"},
+                                 description="Which change of the list; -1: the active one")
 
     def execute(self, context):
         settings = context.scene.quadmatch

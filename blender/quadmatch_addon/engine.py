@@ -31,19 +31,23 @@ def state():
     if library.load():
         return f"quadmatch {library.load().__version__}", ""
     path = program_path()
-    return (f"the program {path} is used" if path else
-            "neither is the program quadmatch on PATH; install it, or say in the add-on's preferences where it is", library.reason())
+    if path:
+        return f"the program {path} is used", library.reason()
+    return ("neither is the program quadmatch on PATH; install it, or say in the add-on's preferences where it is",
+            library.reason())
 
 
 def _required_program():
     path = program_path()
     if not path:
-        raise Refusal(f"{library.reason()}; the program quadmatch would do as well, but it is not on PATH nor set in the add-on's preferences")
+        raise Refusal(f"{library.reason()}; the program quadmatch would do as well, but it is not on PATH nor set in "
+                      "the add-on's preferences")
     return path
 
 
 def _mesh(quadmatch, name, arrays):
-    faces = arrays.corners.reshape(-1, 4) if arrays.all_quads else (np.append(arrays.starts, len(arrays.corners)), arrays.corners)
+    corners = arrays.corners
+    faces = corners.reshape(-1, 4) if arrays.all_quads else (np.append(arrays.starts, len(corners)), corners)
     try:
         return quadmatch.Mesh(arrays.positions, faces, name=name)
     except ValueError as error:
@@ -58,18 +62,25 @@ def _match_by_program(source, target, options, progress):
 
 def match(source, target, names, options, progress):
     """Found. progress(matched, most): False cancels."""
-    quadmatch = library.load()
-    if quadmatch is None:
+    if library.load() is None:
         return found.from_match_file(_match_by_program(source, target, options, progress))
-    meshes = [_mesh(quadmatch, name, arrays) for name, arrays in zip(names, (source, target))]
+    return found.from_library(_match_by_library(_meshes(names, source, target), options, progress))
+
+
+def _meshes(names, *arrays):
+    return [_mesh(library.load(), name, mesh) for name, mesh in zip(names, arrays)]
+
+
+def _match_by_library(meshes, options, progress):
+    """quadmatch.Match."""
     try:
-        made = quadmatch.match(*meshes, orientation=options.orientation, positions=options.positions, anchors=options.anchors,
-                               progress=progress)
+        made = library.load().match(*meshes, orientation=options.orientation, positions=options.positions,
+                                    anchors=options.anchors, progress=progress)
     except ValueError as error:
         raise Refusal(str(error)) from error
     if not made.complete:
         raise Cancelled()
-    return found.from_library(made)
+    return made
 
 
 @dataclasses.dataclass(frozen=True)
@@ -98,9 +109,7 @@ def symmetry(arrays, name, positions, progress):
     """The Mirror of a mesh."""
     quadmatch = library.load()
     if quadmatch is None:
-        data = program.run(_required_program(), "symmetry", {"mesh": arrays}, ["-o", "map.json", "--quiet"] + ([] if positions else ["--no-positions"]),
-                           progress, "map.json")
-        return _mirror_of_file(data)
+        return _mirror_by_program(arrays, positions, progress)
     made = quadmatch.symmetry(_mesh(quadmatch, name, arrays), positions=positions, progress=progress)
     if not made.complete:
         raise Cancelled()
@@ -109,12 +118,14 @@ def symmetry(arrays, name, positions, progress):
                   np.array(made.unpaired_faces), plane)
 
 
-def _mirror_of_file(data):
+def _mirror_by_program(arrays, positions, progress):
+    data = program.run(_required_program(), "symmetry", {"mesh": arrays},
+                       ["-o", "map.json", "--quiet", *([] if positions else ["--no-positions"])], progress, written="map.json")
     said = data["symmetry"]
-    plane = said["plane"] and (np.array(said["plane"]["normal"]), said["plane"]["offset"], said["plane"]["error"], said["plane"]["fits"])
-    line = said["centre_line"]
-    return Mirror(found.from_match_file(data), said["mirrors"], np.array(line["vertices"], np.int32), np.array(line["faces"], np.int32),
-                  np.array(said["unpaired"]["faces"], np.int32), plane)
+    plane, line = said["plane"], said["centre_line"]
+    plane = plane and (np.array(plane["normal"]), plane["offset"], plane["error"], plane["fits"])
+    return Mirror(found.from_match_file(data), said["mirrors"], np.array(line["vertices"], np.int32),
+                  np.array(line["faces"], np.int32), np.array(said["unpaired"]["faces"], np.int32), plane)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -138,24 +149,19 @@ def diff(source, target, names, options, tolerance, progress):
     quadmatch = library.load()
     if quadmatch is None:
         return _diff_by_program(source, target, options, tolerance, progress)
-    meshes = [_mesh(quadmatch, name, arrays) for name, arrays in zip(names, (source, target))]
-    try:
-        made = quadmatch.match(*meshes, orientation=options.orientation, positions=options.positions, anchors=options.anchors,
-                               progress=progress)
-        if not made.complete:
-            raise Cancelled()
-        said = quadmatch.diff(*meshes, made, tolerance=tolerance)
-    except ValueError as error:
-        raise Refusal(str(error)) from error
-    changes = tuple(Change(change.kind, np.array(change.source_faces), np.array(change.target_faces), np.array(change.rejoined))
+    meshes = _meshes(names, source, target)
+    made = _match_by_library(meshes, options, progress)
+    said = quadmatch.diff(*meshes, made, tolerance=tolerance)
+    changes = tuple(Change(change.kind, change.source_faces, change.target_faces, change.rejoined)
                     for change in said.changes)
-    return Differences(changes, np.array(said.moved), found.from_library(made))
+    return Differences(changes, said.moved, found.from_library(made))
 
 
 def _diff_by_program(source, target, options, tolerance, progress):
     made = _match_by_program(source, target, options, progress)
     data = program.run(_required_program(), "diff", {"source": source, "target": target},
-                       ["--json", "--match", "match.json", "--tolerance", repr(tolerance)], progress, given={"match.json": made})
-    changes = tuple(Change(row["kind"], *(np.array(row[key], np.int32) for key in ("source_faces", "target_faces", "rejoined_source_faces")))
-                    for row in data["changes"])
+                       ["--json", "--match", "match.json", "--tolerance", repr(tolerance)], progress,
+                       given={"match.json": made})
+    keys = "source_faces", "target_faces", "rejoined_source_faces"
+    changes = tuple(Change(row["kind"], *(np.array(row[key], np.int32) for key in keys)) for row in data["changes"])
     return Differences(changes, np.array(data["moved"], np.int32).reshape(-1, 2), found.from_match_file(made))

@@ -30,8 +30,9 @@ class Found:
 
 def from_library(match):
     """From quadmatch.Match."""
-    return Found(tuple(Region(np.array(region.faces), region.orientation == "reversing", region.confidence, region.ways, region.ambiguous)
-                       for region in match.regions), np.array(match.vertices))
+    regions = tuple(Region(region.faces, region.orientation == "reversing", region.confidence, region.ways,
+                           region.ambiguous) for region in match.regions)
+    return Found(regions, match.vertices)
 
 
 def from_match_file(data):
@@ -40,6 +41,7 @@ def from_match_file(data):
     for region in data["regions"]:
         evidence = region.get("evidence", {})
         seen = min(evidence.get("source_extraordinary", 0), evidence.get("target_extraordinary", 0))
+        confidence = evidence.get("agreeing", 0) / seen if seen else 1.0
         regions.append(Region(np.array(region["faces"], np.int32).reshape(-1, 3), region["orientation"] == "reversing",
-                              evidence.get("agreeing", 0) / seen if seen else 1.0, region.get("ways", 1), region.get("ambiguous", False)))
+                              confidence, region.get("ways", 1), region.get("ambiguous", False)))
     return Found(tuple(regions), np.array(data["vertices"], np.int32).reshape(-1, 2))

@@ -40,7 +40,8 @@ def _import():
 
 
 def _explain(error):
-    built = sorted(path.name.partition(".")[2].rpartition(".")[0] for path in VENDOR.glob("quadmatch/_core.*") if path.suffix in (".so", ".pyd"))
+    modules = (path.name for path in VENDOR.glob("quadmatch/_core.*") if path.suffix in (".so", ".pyd"))
+    built = sorted(name.partition(".")[2].rpartition(".")[0] for name in modules)
     ours = f"Python {platform.python_version()} on {platform.system()} {platform.machine()}"
     if not built:
         return f"this add-on comes without the extension module; build the zip with scripts/build_blender.sh ({error})"

@@ -63,7 +63,8 @@ class QUADMATCH_OT_match(Working, bpy.types.Operator):
         if settings.colour != "none":
             for obj in (pair.source, pair.target):
                 if not colours.room_for(obj.data):
-                    raise Refusal(f"{obj.name} has another attribute called {colours.NAME}; rename it, or set Colour to Nothing")
+                    raise Refusal(f"{obj.name} has another attribute called {colours.NAME}; rename it, "
+                                  "or set Colour to Nothing")
         return pair
 
     def compute(self, pair, progress):

@@ -54,7 +54,10 @@ def read(elements, name, count, dtype):
 
 
 def indices(elements, name, count):
-    """Numbers of vertices, edges or corners, as int32. Blender keeps them unsigned, and copies whole arrays only to the same type."""
+    """Numbers of vertices, edges or corners, as int32.
+
+    Blender keeps them unsigned, and copies whole arrays only to the same type.
+    """
     return read(elements, name, count, np.uint32).view(np.int32)
 
 
@@ -69,7 +72,8 @@ def arrays_of(mesh, edges=False):
     starts = indices(mesh.polygons, "loop_start", len(mesh.polygons))
     sizes = indices(mesh.polygons, "loop_total", len(mesh.polygons))
     if not np.array_equal(starts[1:], (starts + sizes)[:-1]):
-        raise Refusal(f"the mesh {mesh.name} keeps its faces in another order than their corners; enter edit mode and leave it once")
+        raise Refusal(f"the mesh {mesh.name} keeps its faces in another order than their corners; "
+                      "enter edit mode and leave it once")
     return MeshArrays(positions, corners, starts, sizes, edges_of(mesh) if edges else None)
 
 

@@ -28,7 +28,8 @@ def source_and_target(context):
     if source == target:
         raise Refusal(f"{source.name} is source and target; pick two objects (to mirror one there is Mirror Map)")
     if source.data == target.data:
-        raise Refusal(f"{source.name} and {target.name} are two objects of one mesh, {source.data.name}, so all of it is the same")
+        raise Refusal(f"{source.name} and {target.name} are two objects of one mesh, {source.data.name}, "
+                      "so all of it is the same")
     return source, target
 
 
@@ -111,7 +112,7 @@ def mirrored(obj):
 
 
 def stored_orientation(seen, source, target):
-    """An orientation as it is seen in the viewport ("auto", "preserving", "reversing"), as it is between the meshes as stored."""
+    """What is seen in the viewport ("auto", "preserving" or "reversing"), as it is between the meshes as stored."""
     if seen == "auto" or mirrored(source) == mirrored(target):
         return seen
     return "reversing" if seen == "preserving" else "preserving"
@@ -125,7 +126,8 @@ def notes_on(source, target):
         notes.append(f"{odd.name} has a negative scale, so it is seen mirrored; data go by the meshes as they are stored")
     sizes = [max(abs(x) for x in obj.matrix_world.to_scale()) for obj in (source, target)]
     if not np.isclose(*sizes, rtol=1e-3):
-        notes.append(f"scales are different ({sizes[0]:.3g} and {sizes[1]:.3g}); meshes are compared without the objects' scales")
+        notes.append(f"scales are different ({sizes[0]:.3g} and {sizes[1]:.3g}); "
+                     "meshes are compared without the objects' scales")
     for obj in (source, target):
         shown = [modifier.name for modifier in obj.modifiers if modifier.show_viewport]
         if shown:

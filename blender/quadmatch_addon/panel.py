@@ -68,10 +68,12 @@ class QUADMATCH_PT_anchors(Child, bpy.types.Panel):
         layout, settings = self.layout, context.scene.quadmatch
         for index, anchor in enumerate(settings.anchors):
             row = layout.row()
-            row.label(text="{} {}-{} = {} {}-{}".format(anchor.source, *anchor.source_edge, anchor.target, *anchor.target_edge))
+            row.label(text="{} {}-{} = {} {}-{}".format(anchor.source, *anchor.source_edge,
+                                                        anchor.target, *anchor.target_edge))
             row.operator("quadmatch.remove_anchor", text="", icon="X", emboss=False).index = index
         if not settings.anchors:
-            text(context, layout, "In edit mode of both objects select two vertices of an edge one after the other, the same on both.")
+            text(context, layout, "In edit mode of both objects select two vertices of an edge one after the other, "
+                                  "the same on both.")
         layout.operator("quadmatch.add_anchor", icon="ADD")
 
 
@@ -114,7 +116,7 @@ class QUADMATCH_PT_diff(Child, bpy.types.Panel):
         layout.prop(settings, "tolerance")
         layout.operator("quadmatch.diff", icon="SELECT_DIFFERENCE")
         if settings.changes:
-            layout.template_list("UI_UL_list", "quadmatch_changes", settings, "changes", settings, "change", rows=3, item_dyntip_propname="label")
+            layout.template_list("UI_UL_list", "quadmatch_changes", settings, "changes", settings, "change", rows=3)
             layout.operator("quadmatch.select_change", icon="RESTRICT_SELECT_OFF")
 
 
@@ -131,8 +133,8 @@ class QUADMATCH_PT_report(Child, bpy.types.Panel):
             text(context, column, line, "DOT")
 
 
-CLASSES = (QUADMATCH_PT_main, QUADMATCH_PT_match, QUADMATCH_PT_report, QUADMATCH_PT_anchors, QUADMATCH_PT_transfer, QUADMATCH_PT_mirror,
-           QUADMATCH_PT_diff)
+CLASSES = (QUADMATCH_PT_main, QUADMATCH_PT_match, QUADMATCH_PT_report, QUADMATCH_PT_anchors, QUADMATCH_PT_transfer,
+           QUADMATCH_PT_mirror, QUADMATCH_PT_diff)
 
 
 def register():

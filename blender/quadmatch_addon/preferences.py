@@ -9,7 +9,8 @@ class QuadmatchPreferences(bpy.types.AddonPreferences):
 
     program: bpy.props.StringProperty(
         name="Program", subtype="FILE_PATH",
-        description="The command line program quadmatch, used where the extension module does not fit this Blender. Empty: the one on PATH")
+        description="The command line program quadmatch, used where the extension module does not fit this Blender. "
+                    "Empty: the one on PATH")
 
     def draw(self, context):
         who, why = engine.state()

@@ -6,7 +6,7 @@ from .mesh_arrays import edge_vertices, edges_of, read
 
 
 def select_faces(mesh, arrays, faces):
-    """Select these faces and nothing else; hidden ones stay unselected. faces: bool for each face. Returns how many were hidden."""
+    """Select these faces (bool for each) and nothing else. Hidden ones stay unselected; returns how many those are."""
     faces = np.asarray(faces, bool)
     hidden = read(mesh.polygons, "hide", arrays.face_count, bool)
     seen = faces & ~hidden

@@ -22,7 +22,8 @@ def match_lines(found, source, target, arrays):
         lines.append(f"{obj.name}: {percent(found.matched, mesh.face_count)} of {mesh.face_count:,}, {missing:,} unmatched")
     if found.regions:
         largest = found.regions[0]
-        lines.append(f"{counted(len(found.regions), 'region')}, the largest {len(largest.faces):,}, confidence {100 * largest.confidence:.0f} %")
+        lines.append(f"{counted(len(found.regions), 'region')}, the largest {len(largest.faces):,}, "
+                     f"confidence {100 * largest.confidence:.0f} %")
     turned = sum(len(region.faces) for region in found.regions if region.reversing)
     if turned:
         lines.append(f"{turned:,} faces lie turned over")
@@ -33,16 +34,21 @@ def doubts(regions, shown=3):
     regions = list(regions)
     lines = [f"Ambiguous: {region.doubt}" for region in regions[:shown]]
     if len(regions) > shown:
-        lines.append(f"Ambiguous: {counted(len(regions) - shown, 'region')} more, {sum(len(region.faces) for region in regions[shown:]):,} faces")
+        lines.append("Ambiguous: " + _more(regions[shown:]))
     return lines
+
+
+def _more(regions):
+    return f"{counted(len(regions), 'region')} more, {counted(sum(len(region.faces) for region in regions), 'face')}"
 
 
 def left_out(regions, shown=3):
     """Of regions that are not written."""
     lines = []
     for region in list(regions)[:shown]:
-        why = f"fit in {region.ways} ways" if region.ambiguous else f"have a confidence of {100 * region.confidence:.0f} % only"
+        why = (f"fit in {region.ways} ways" if region.ambiguous else
+               f"have a confidence of {100 * region.confidence:.0f} % only")
         lines.append(f"Left out: {counted(len(region.faces), 'face')} from face {region.faces[0, 1]} on, they {why}")
     if len(regions) > shown:
-        lines.append(f"Left out: {counted(len(regions) - shown, 'region')} more, {sum(len(region.faces) for region in regions[shown:]):,} faces")
+        lines.append("Left out: " + _more(regions[shown:]))
     return lines

@@ -8,8 +8,8 @@ from .refusal import Refusal
 from .work import Working
 
 #: By the name of the setting; order is last, since the others go by numbers.
-KINDS = {"uv": carry_corners, "groups": carry_groups, "shapes": carry_shapes, "colours": carry_colours, "materials": carry_materials,
-         "edges": carry_edges, "order": carry_order}
+KINDS = {"uv": carry_corners, "groups": carry_groups, "shapes": carry_shapes, "colours": carry_colours,
+         "materials": carry_materials, "edges": carry_edges, "order": carry_order}
 
 
 class QUADMATCH_OT_transfer(Working, bpy.types.Operator):
@@ -34,7 +34,8 @@ class QUADMATCH_OT_transfer(Working, bpy.types.Operator):
         memory.keep(pair.source, pair.target, pair.arrays, pair.options, found)
         along = Correspondence(*pair.arrays, found, Trust(settings.allow_ambiguous, settings.min_confidence))
         if not len(along.faces):
-            raise Refusal("nothing is carried: no part is the same beyond doubt" if found.matched else "nothing is carried: no faces are the same")
+            why = "no part is the same beyond doubt" if found.matched else "no faces are the same"
+            raise Refusal(f"nothing is carried: {why}")
         lines = [f"{len(along.faces):,} of {pair.target.name}'s {pair.arrays[1].face_count:,} faces take the source's data"]
         with objects.object_mode(context, (pair.source, pair.target)):
             for name, kind in KINDS.items():
