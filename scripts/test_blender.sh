@@ -18,8 +18,8 @@ in_blender() {
   mkdir -p "$folder/$name/scripts" "$folder/$name/config"
   BLENDER_USER_SCRIPTS=$folder/$name/scripts BLENDER_USER_CONFIG=$folder/$name/config \
     blender -b --factory-startup --python-exit-code 3 --python "$@" > "$folder/$name.log" 2>&1 ||
-    { cat "$folder/$name.log" >&2; exit 1; }
-  grep -E '^(Ran |OK|.*skipped)' "$folder/$name.log"
+    { grep -A 10000 '^=====' "$folder/$name.log" >&2 || cat "$folder/$name.log" >&2; exit 1; }
+  grep -E '^(Ran |OK|.* exact, |.*skipped)' "$folder/$name.log"
 }
 
 in_blender fitting blender/tests/run.py -- "$zip" "$@"

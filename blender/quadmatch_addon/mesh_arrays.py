@@ -70,8 +70,8 @@ def arrays_of(mesh, edges=False):
     positions = read(mesh.vertices, "co", 3 * len(mesh.vertices), np.float32).reshape(-1, 3)
     corners = indices(mesh.loops, "vertex_index", len(mesh.loops))
     starts = indices(mesh.polygons, "loop_start", len(mesh.polygons))
-    sizes = indices(mesh.polygons, "loop_total", len(mesh.polygons))
-    if not np.array_equal(starts[1:], (starts + sizes)[:-1]):
+    sizes = np.diff(starts, append=np.int32(len(corners)))
+    if starts[0] != 0 or sizes.min() < 3:
         raise Refusal(f"the mesh {mesh.name} keeps its faces in another order than their corners; "
                       "enter edit mode and leave it once")
     return MeshArrays(positions, corners, starts, sizes, edges_of(mesh) if edges else None)
