@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pair_match.hpp"
+#include "picture_options.hpp"
 
 namespace quadmatch::cli {
 
@@ -12,6 +13,7 @@ struct DiffArguments {
   std::string source, target;
   std::string output;
   std::string page;  ///< of the HTML report, empty: none
+  PictureWishes pictures;
   MatchWishes match;
   bool isomorphic = false;
   bool ignore_positions = false;

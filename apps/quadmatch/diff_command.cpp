@@ -42,6 +42,7 @@ Examples:
   quadmatch diff before.obj posed.obj --ignore-positions --quiet && echo same connectivity
   quadmatch diff a.obj b.obj --json | jq '.changes[] | select(.kind == "deletion").source_faces'
   quadmatch diff before.obj after.obj --report changes.html    then open it in a browser
+  quadmatch diff before.obj after.obj --image changes.png      for a ticket or a log
   quadmatch diff left.obj right.obj --isomorphic --orientation reversing -o map.json
 
 Exit status: 0 no differences, 1 differences, 2 trouble.)";
@@ -50,6 +51,7 @@ Exit status: 0 no differences, 1 differences, 2 trouble.)";
 const char* misplaced(const DiffArguments& arguments) {
   if (arguments.isomorphic) {
     return !arguments.page.empty()          ? "--report"
+           : arguments.pictures.any()       ? "--image"
            : !arguments.match.file.empty()  ? "--match"
            : arguments.match.no_positions   ? "--no-positions"
            : arguments.least_confidence > 0 ? "--min-confidence"
@@ -78,7 +80,8 @@ bool usage_fits(const DiffArguments& arguments) {
   std::vector<std::string> inputs{arguments.source, arguments.target};
   if (!arguments.match.file.empty()) inputs.push_back(arguments.match.file);
   return paths_fit(inputs, arguments.output) && wishes_fit(arguments.match) &&
-         report_fits(arguments.page, inputs, arguments.output);
+         report_fits(arguments.page, inputs, arguments.output) &&
+         pictures_fit(arguments.pictures, inputs, {arguments.page});
 }
 
 int run_diff(const DiffArguments& arguments) {
@@ -116,6 +119,7 @@ void add_comparison_options(CLI::App& verb, DiffArguments& arguments) {
 
 void add_form_options(CLI::App& verb, DiffArguments& arguments) {
   add_report_option(verb, arguments.page);
+  add_picture_options(verb, arguments.pictures, true);
   verb.add_flag("--stat", arguments.stat, "Print one line of name=number");
   verb.add_flag("--json", arguments.json, "Print all of it as JSON, with the elements of each change");
   verb.add_flag("--quiet", arguments.quiet, "Print nothing, only set the exit status");

@@ -189,7 +189,7 @@ std::string as_text(const DiffSummary& summary) {
   for (ReportFigure& doubt : doubts) lines.add(std::move(doubt.name), std::move(doubt.text));
   lines.add("time", fmt::format("reading {}, matching and comparing {}", duration(summary.times.reading),
                                 duration(summary.times.matching)));
-  if (!summary.page.empty()) lines.add("written", summary.page);
+  add_written(lines, {summary.page}, summary.pictures);
   return (difference.none() ? "no differences\n" : "different\n") + lines.render(2);
 }
 
@@ -242,7 +242,8 @@ std::string as_json(const DiffSummary& summary) {
        {"doubtful", doubtful},
        {"settings", settings},
        {"milliseconds", {{"reading", rounded(summary.times.reading)}, {"matching", rounded(summary.times.matching)}}},
-       {"report", summary.page.empty() ? Json(nullptr) : Json(summary.page)}});
+       {"report", summary.page.empty() ? Json(nullptr) : Json(summary.page)},
+       {"pictures", summary.pictures}});
 }
 
 }  // namespace quadmatch::cli

@@ -16,8 +16,9 @@ struct DiffSummary {
   Match match;
   Difference difference;
   std::vector<std::pair<std::string, std::string>> settings;
-  Times times;       ///< matching: both, to match and to compare
-  std::string page;  ///< where the HTML report was written; empty: nowhere
+  Times times;                             ///< matching: both, to match and to compare
+  std::string page;                        ///< where the HTML report was written; empty: nowhere
+  std::vector<std::string> pictures = {};  ///< files of the image and the animation, if there are any
 };
 
 /// What the HTML report says of it: every change by its name, to fly to.

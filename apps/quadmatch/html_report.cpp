@@ -1,7 +1,6 @@
 #include "html_report.hpp"
 
 #include <filesystem>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -9,17 +8,6 @@
 #include "inputs.hpp"
 
 namespace quadmatch::cli {
-namespace {
-
-namespace fs = std::filesystem;
-
-/// Do two names lead to one file, whether it is there yet or not?
-bool same_file(const std::string& a, const std::string& b) {
-  std::error_code failure;  // then the names differ, or writing will say what is wrong
-  return fs::weakly_canonical(fs::absolute(a), failure) == fs::weakly_canonical(fs::absolute(b), failure) && !failure;
-}
-
-}  // namespace
 
 void add_report_option(CLI::App& verb, std::string& page) {
   verb.add_option("--report", page,
@@ -43,7 +31,7 @@ bool report_fits(const std::string& page, const std::vector<std::string>& inputs
 
 std::string report_title(const std::string& source, const std::string& target) {
   const auto name = [](const std::string& path) {
-    return path == "-" ? display_name(path) : fs::path(path).filename().string();
+    return path == "-" ? display_name(path) : std::filesystem::path(path).filename().string();
   };
   return fmt::format("{} and {}", name(source), name(target));
 }

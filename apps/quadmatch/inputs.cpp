@@ -60,4 +60,10 @@ bool paths_fit(const std::vector<std::string>& inputs, const std::string& output
   return true;
 }
 
+bool same_file(const std::string& a, const std::string& b) {
+  namespace fs = std::filesystem;
+  std::error_code failure;  // then the names differ, or writing will say what is wrong
+  return fs::weakly_canonical(fs::absolute(a), failure) == fs::weakly_canonical(fs::absolute(b), failure) && !failure;
+}
+
 }  // namespace quadmatch::cli

@@ -30,4 +30,7 @@ struct InputPair {
 [[nodiscard]] bool paths_fit(const std::vector<std::string>& inputs, const std::string& output,
                              const char* option = "-o");
 
+/// Do two names lead to one file, whether it is there yet or not?
+[[nodiscard]] bool same_file(const std::string& a, const std::string& b);
+
 }  // namespace quadmatch::cli

@@ -12,6 +12,7 @@
 #include "match_report.hpp"
 #include "matching.hpp"
 #include "pair_match.hpp"
+#include "picture_options.hpp"
 #include "text.hpp"
 
 namespace quadmatch::cli {
@@ -19,7 +20,7 @@ namespace {
 
 constexpr const char* kFooter = R"(The match file lists, for each matched face of A, the face of B and how it is turned,
 and for each vertex its partner. Without -o it goes to standard output and the summary
-to standard error; with --json or --report and no -o, there is no match file.
+to standard error; with --json, --report or --image and no -o, there is no match file.
 
 An anchor is a place you know to be the same; growth starts there. Count from 0:
   --anchor 12:0=90:1    corner 0 of face 12 lies on corner 1 of face 90
@@ -33,6 +34,7 @@ Examples:
   quadmatch match a.ply b.usda --json | jq .matched_faces
   quadmatch match patch.obj edited.obj -o best.json --algorithm exact --time-limit 10
   quadmatch match a.obj b.obj -o m.json --report m.html    then open m.html in a browser
+  quadmatch match a.obj b.obj --image ab.png --animation ab.webp --image-size 960x480
 
 The problem is NP-hard, yet --algorithm exact finds the largest region there is and proves it
 for patches of a few hundred faces and for small whole meshes after small edits, mostly within
@@ -46,6 +48,7 @@ struct MatchArguments {
   std::string source, target;
   std::string output;
   std::string page;  // of the HTML report, empty: none
+  PictureWishes pictures;
   MatchingArguments matching;
   std::uint32_t threads = 0;
   bool json = false;
@@ -66,10 +69,15 @@ int status_of(const MatchReport& report) {
   }
 }
 
-/// Where the match file goes: a file, - for standard output, or nowhere where only figures or a page were asked for.
+/// Where the match file goes: a file, - for standard output, or nowhere where only figures or pictures were asked for.
 std::string match_output(const MatchArguments& arguments) {
   if (!arguments.output.empty()) return arguments.output;
-  return arguments.json || !arguments.page.empty() ? "" : "-";
+  return arguments.json || !arguments.page.empty() || arguments.pictures.any() ? "" : "-";
+}
+
+/// A report and a film replay them.
+bool keeps_waves(const MatchArguments& arguments) {
+  return arguments.matching.waves || !arguments.page.empty() || !arguments.pictures.animation.empty();
 }
 
 /// Figures go to standard output, and a summary wherever the match file does not.
@@ -92,16 +100,18 @@ bool write_page(const MatchArguments& arguments, const InputPair& inputs, const 
   return written.has_value();
 }
 
-/// The page and the match file, as far as they were asked for; both are named in the report.
+/// The page, the pictures and the match file, as far as they were asked for; all are named in the report.
 bool write_outputs(const MatchArguments& arguments, const InputPair& inputs, MatchResult& result, MatchReport& report) {
   if (!arguments.page.empty()) {
     if (!write_page(arguments, inputs, result.match, report)) return false;
     report.page = arguments.page;
   }
+  if (!write_pictures(arguments.pictures, inputs.source, inputs.target, result.match)) return false;
+  report.pictures = arguments.pictures.files();
   const std::string output = match_output(arguments);
   if (output.empty()) return true;
   if (!arguments.matching.waves) {
-    for (Region& region : result.match.regions) region.waves.clear();  // kept for the page alone
+    for (Region& region : result.match.regions) region.waves.clear();  // kept for page and film alone
   }
   const MatchFile file{side_of(inputs.source), side_of(inputs.target), std::move(result.match), report.settings,
                        result.optimality};
@@ -114,7 +124,8 @@ bool write_outputs(const MatchArguments& arguments, const InputPair& inputs, Mat
 int run_match(const MatchArguments& arguments) {
   if (const Expected<void> fit = check_matching(arguments.matching); !fit) return complain(fit.error());
   if (!paths_fit({arguments.source, arguments.target}, arguments.output) ||
-      !report_fits(arguments.page, {arguments.source, arguments.target}, arguments.output)) {
+      !report_fits(arguments.page, {arguments.source, arguments.target}, arguments.output) ||
+      !pictures_fit(arguments.pictures, {arguments.source, arguments.target}, {arguments.output, arguments.page})) {
     return kTrouble;
   }
   if (arguments.json && arguments.output == "-") {
@@ -143,8 +154,7 @@ int run_match(const MatchArguments& arguments) {
     watch = [&progress](std::size_t matched, std::size_t most) { progress.update(matched, most); };
   Expected<MatchResult> result =
       match_as_asked(arguments.matching, {source->mesh, display_name(arguments.source)},
-                     {target->mesh, display_name(arguments.target)},
-                     arguments.matching.waves || !arguments.page.empty(), watch);  // a report replays the waves
+                     {target->mesh, display_name(arguments.target)}, keeps_waves(arguments), watch);
   if (!result) return complain(result.error());
   times.matching = stopwatch.lap();
   progress.stage("verifying");
@@ -179,6 +189,7 @@ void add_match_command(CLI::App& program, Action& chosen) {
   verb->add_option("-o,--output", arguments->output, "Match file to write (JSON); - or none: standard output")
       ->type_name("FILE");
   add_report_option(*verb, arguments->page);
+  add_picture_options(*verb, arguments->pictures, true);
   add_matching_options(*verb, arguments->matching);
   verb->add_option("--threads", arguments->threads,
                    "Read the two meshes at the same time if 2 or more; 0: as many as there are processors")

@@ -234,8 +234,7 @@ std::string as_text(const MatchReport& report) {
   for (ReportFigure& figure : figures_of(report)) lines.add(std::move(figure.name), std::move(figure.text));
   lines.add("time", fmt::format("reading {}, matching {}, verifying {}", duration(report.times.reading),
                                 duration(report.times.matching), duration(report.times.verifying)));
-  if (!report.output.empty()) lines.add("written", report.output);
-  if (!report.page.empty()) lines.add(report.output.empty() ? "written" : "", report.page);
+  add_written(lines, {report.output, report.page}, report.pictures);
   return lines.render();
 }
 
@@ -259,7 +258,8 @@ std::string as_json(const MatchReport& report) {
                       {"verifying", rounded(report.times.verifying)},
                       {"writing", rounded(report.times.writing)}}},
                     {"output", report.output.empty() ? Json(nullptr) : Json(report.output)},
-                    {"report", report.page.empty() ? Json(nullptr) : Json(report.page)}});
+                    {"report", report.page.empty() ? Json(nullptr) : Json(report.page)},
+                    {"pictures", report.pictures}});
 }
 
 }  // namespace quadmatch::cli

@@ -54,8 +54,9 @@ struct MatchReport {
   /// What an exact search proved.
   std::optional<Optimality> optimality;
   Times times;
-  std::string output;  ///< where the match file was written; empty: nowhere
-  std::string page;    ///< where the HTML report was written; empty: nowhere
+  std::string output;                 ///< where the match file was written; empty: nowhere
+  std::string page;                   ///< where the HTML report was written; empty: nowhere
+  std::vector<std::string> pictures;  ///< files of the image and the animation, if there are any
 
   [[nodiscard]] std::uint32_t matched_faces() const { return source.matched_faces; }
   /// Those of regions that are ambiguous.

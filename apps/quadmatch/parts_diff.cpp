@@ -20,19 +20,23 @@ std::vector<std::pair<std::string, std::string>> settings_of(const DiffArguments
   return settings;
 }
 
-/// The page, if one was asked for. Regions that count as unmatched are shown so.
-bool write_page(const DiffArguments& arguments, const InputPair& inputs, DiffSummary& summary) {
-  if (arguments.page.empty()) return true;
+/// The page and the pictures, if they were asked for. Regions that count as unmatched are shown so.
+bool write_views(const DiffArguments& arguments, const InputPair& inputs, DiffSummary& summary) {
+  if (arguments.page.empty() && !arguments.pictures.any()) return true;
   Match shown = summary.match;
   for (const DoubtfulRegion& doubt : summary.difference.doubtful) {
     if (doubt.left_out) shown.regions[doubt.region].faces.clear();
   }
   std::erase_if(shown.regions, [](const Region& region) { return region.faces.empty(); });
-  const Expected<void> written =
-      write_report(arguments.page, inputs.source, inputs.target, shown, report_text(summary));
-  if (!written) complain(written.error());
-  summary.page = arguments.page;
-  return written.has_value();
+  if (!arguments.page.empty()) {
+    const Expected<void> written =
+        write_report(arguments.page, inputs.source, inputs.target, shown, report_text(summary));
+    if (!written) complain(written.error());
+    if (!written) return false;
+    summary.page = arguments.page;
+  }
+  summary.pictures = arguments.pictures.files();
+  return write_pictures(arguments.pictures, inputs.source, inputs.target, shown);
 }
 
 }  // namespace
@@ -42,7 +46,7 @@ std::optional<DiffSummary> compare(const DiffArguments& arguments, const MeshFil
   Stopwatch stopwatch;
   progress.stage("matching");
   MatchWishes wishes = arguments.match;
-  wishes.waves = !arguments.page.empty();  // a report replays them
+  wishes.waves = !arguments.page.empty() || !arguments.pictures.animation.empty();  // both replay them
   std::optional<Match> match = find_or_read_match(wishes, source, target, progress);
   if (!match) return std::nullopt;
   progress.stage("comparing");
@@ -85,7 +89,7 @@ int run_parts_diff(const DiffArguments& arguments) {
     warn_of_dirt(inputs->target);
   }
   std::optional<DiffSummary> summary = compare(arguments, inputs->source, inputs->target, reading, progress);
-  if (!summary || !write_page(arguments, *inputs, *summary) || !tell(arguments, *summary)) return kTrouble;
+  if (!summary || !write_views(arguments, *inputs, *summary) || !tell(arguments, *summary)) return kTrouble;
   return summary->difference.none() ? kSame : kDifferent;
 }
 

@@ -71,4 +71,14 @@ std::string Lines::render(std::size_t indent) const {
   return rendered;
 }
 
+void add_written(Lines& lines, std::vector<std::string> files, const std::vector<std::string>& more) {
+  files.insert(files.end(), more.begin(), more.end());
+  const char* name = "written";
+  for (const std::string& file : files) {
+    if (file.empty()) continue;
+    lines.add(name, file);
+    name = "";
+  }
+}
+
 }  // namespace quadmatch::cli

@@ -36,4 +36,7 @@ class Lines {
   std::vector<std::pair<std::string, std::string>> lines_;
 };
 
+/// "written  a.json" and below it the names of further files; empty names are of files that were not asked for.
+void add_written(Lines& lines, std::vector<std::string> files, const std::vector<std::string>& more);
+
 }  // namespace quadmatch::cli
