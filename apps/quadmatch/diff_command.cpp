@@ -80,7 +80,7 @@ bool usage_fits(const DiffArguments& arguments) {
   std::vector<std::string> inputs{arguments.source, arguments.target};
   if (!arguments.match.file.empty()) inputs.push_back(arguments.match.file);
   return paths_fit(inputs, arguments.output) && wishes_fit(arguments.match) &&
-         report_fits(arguments.page, inputs, arguments.output) &&
+         report_fits(arguments.page, inputs, {arguments.output}) &&
          pictures_fit(arguments.pictures, inputs, {arguments.page});
 }
 

@@ -16,14 +16,17 @@ void add_report_option(CLI::App& verb, std::string& page) {
       ->type_name("FILE");
 }
 
-bool report_fits(const std::string& page, const std::vector<std::string>& inputs, const std::string& output) {
+bool report_fits(const std::string& page, const std::vector<std::string>& inputs,
+                 const std::vector<std::string>& outputs) {
   if (page.empty()) return true;
   if (page == "-") {
     complain("--report needs the name of a file, such as report.html; - is for standard output, which has the figures");
     return false;
   }
-  if (!output.empty() && output != "-" && same_file(page, output)) {
-    complain(fmt::format("{}: -o and --report name the same file; choose another name for one of them", page));
+  for (const std::string& output : outputs) {
+    if (output.empty() || output == "-" || !same_file(page, output)) continue;
+    complain(
+        fmt::format("{}: another option and --report name the same file; choose another name for one of them", page));
     return false;
   }
   return paths_fit(inputs, page, "--report");

@@ -123,8 +123,8 @@ bool write_outputs(const MatchArguments& arguments, const InputPair& inputs, Mat
 
 int run_match(const MatchArguments& arguments) {
   if (const Expected<void> fit = check_matching(arguments.matching); !fit) return complain(fit.error());
-  if (!paths_fit({arguments.source, arguments.target}, arguments.output) ||
-      !report_fits(arguments.page, {arguments.source, arguments.target}, arguments.output) ||
+  if (!paths_fit({arguments.source, arguments.target}, {arguments.output}) ||
+      !report_fits(arguments.page, {arguments.source, arguments.target}, {arguments.output}) ||
       !pictures_fit(arguments.pictures, {arguments.source, arguments.target}, {arguments.output, arguments.page})) {
     return kTrouble;
   }

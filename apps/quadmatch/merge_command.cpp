@@ -16,8 +16,11 @@
 #include "command.hpp"
 #include "console.hpp"
 #include "dirt.hpp"
+#include "html_report.hpp"
 #include "inputs.hpp"
 #include "merge_report.hpp"
+#include "merge_view.hpp"
+#include "picture_options.hpp"
 
 namespace quadmatch::cli {
 namespace {
@@ -35,6 +38,9 @@ OUT has the order of OURS; what is new of THEIRS follows, within its object wher
 objects. A side that changed nothing gives the other one back as it is. OUT may be one of the
 inputs: it is replaced when all of it is written, or not at all.
 
+With --report and --image BASE stands beside OUT: red is what only one of them has. The report
+lists conflicts, and who removed and who added what.
+
 As a merge driver of git, with these two lines:
   git config merge.quadmatch.driver "quadmatch merge %O %A %B -o %A --as %P"
   echo '*.obj merge=quadmatch' >> .gitattributes
@@ -43,6 +49,7 @@ Examples:
   quadmatch merge base.obj mine.obj yours.obj -o merged.obj
   quadmatch merge base.obj mine.obj yours.obj -o mine.obj --prefer theirs
   quadmatch merge base.ply a.ply b.ply -o merged.ply --json
+  quadmatch merge base.obj mine.obj yours.obj -o merged.obj --report merged.html
 
 Exit status: 0 merged; 1 merged, with conflicts; 2 trouble, nothing is written.)";
 
@@ -54,6 +61,8 @@ struct MergeArguments {
   std::string match_ours, match_theirs;
   std::string prefer = "ours";
   std::string as;
+  std::string page;  // of the HTML report, empty: none
+  PictureWishes pictures;
   bool no_positions = false;
   bool origins = false;
   std::uint32_t threads = 0;
@@ -100,7 +109,8 @@ bool arguments_fit(const MergeArguments& arguments) {
                          arguments.as.empty() ? ", or say --as NAME" : ""));
     return false;
   }
-  return true;
+  return report_fits(arguments.page, inputs, {arguments.output}) &&
+         pictures_fit(arguments.pictures, inputs, {arguments.output, arguments.page});
 }
 
 Expected<MeshFile> read_as(const MergeArguments& arguments, const std::string& path) {
@@ -180,7 +190,7 @@ Expected<void> write(const MergeArguments& arguments, const MeshFile& file) {
   return replace_file(arguments.output, format_mesh(file, *format_of_path(arguments.as)));
 }
 
-MergeSummary summarize(const MergeArguments& arguments, const Inputs& inputs, Merged& merged) {
+MergeSummary summarize(const MergeArguments& arguments, const Inputs& inputs, const Merged& merged) {
   MergeSummary summary;
   summary.base = arguments.base;
   summary.ours = arguments.ours;
@@ -190,11 +200,32 @@ MergeSummary summarize(const MergeArguments& arguments, const Inputs& inputs, Me
   summary.theirs_faces = inputs.theirs.mesh.face_count();
   summary.prefer = kSideNames.at(arguments.prefer);
   count_origins(merged, summary);
-  summary.report = std::move(merged.report);
-  if (arguments.origins) summary.origins = std::move(merged.face_origins);
+  summary.report = merged.report;
+  if (arguments.origins) summary.origins = merged.face_origins;
   summary.settings = settings_of(arguments);
   summary.output = arguments.output;
   return summary;
+}
+
+/// The page and the picture, as far as they were asked for: the base beside the result, matched anew.
+bool write_views(const MergeArguments& arguments, const Inputs& inputs, const Match& to_ours, const Match& to_theirs,
+                 const Merged& merged, MergeSummary& summary) {
+  if (arguments.page.empty() && !arguments.pictures.any()) return true;
+  MeshFile result = merged.file;
+  result.path = arguments.output;
+  MatchOptions options;
+  options.positions = !arguments.no_positions;
+  const Match match = match_side(inputs.base.mesh, result.mesh, options);
+  if (!arguments.page.empty()) {
+    const ReportText text =
+        report_text(summary, inputs.base.mesh, result.mesh, merged.face_origins, to_ours, to_theirs);
+    const Expected<void> written = write_report(arguments.page, inputs.base, result, match, text);
+    if (!written) complain(written.error());
+    if (!written) return false;
+    summary.page = arguments.page;
+  }
+  summary.pictures = arguments.pictures.files();
+  return write_pictures(arguments.pictures, inputs.base, result, match);
 }
 
 int run_merge(const MergeArguments& arguments) {
@@ -226,13 +257,15 @@ int run_merge(const MergeArguments& arguments) {
   }
   times.merging = stopwatch.lap();
 
+  MergeSummary summary = summarize(arguments, *inputs, *merged);
+  if (!write_views(arguments, *inputs, *to_ours, *to_theirs, *merged, summary)) return kTrouble;
+  stopwatch.lap();
   progress.stage(fmt::format("writing {}", arguments.output));
   if (Expected<void> written = write(arguments, merged->file); !written) return complain(written.error());
   times.writing = stopwatch.lap();
   progress.clear();
 
   if (!arguments.quiet) warn_of_remarks(arguments, *inputs, *merged);
-  MergeSummary summary = summarize(arguments, *inputs, *merged);
   summary.times = times;
   if (!tell(arguments, summary)) return kTrouble;
   return summary.report.clean() ? kSame : kDifferent;
@@ -254,6 +287,8 @@ void add_merge_command(CLI::App& program, Action& chosen) {
                    "Mesh to write, in the format of its ending; - writes OBJ to standard output")
       ->required()
       ->type_name("FILE");
+  add_report_option(*verb, arguments->page);
+  add_picture_options(*verb, arguments->pictures, false);
   verb->add_option("--prefer", arguments->prefer, "What OUT holds where edits meet: ours or theirs")
       ->check(CLI::IsMember(kSideNames).description(""))
       ->type_name("SIDE")

@@ -62,29 +62,6 @@ std::string listed(const std::vector<Id>& ids) {
   return ids.size() <= kMost ? text : fmt::format("{} and {} more", text, grouped(ids.size() - kMost));
 }
 
-std::string describe(const ConflictArea& area) {
-  std::vector<std::string> parts;
-  if (!area.base_vertices.empty()) parts.push_back(fmt::format("{} of BASE", listed(area.base_vertices)));
-  if (!area.base_faces.empty()) parts.push_back(fmt::format("{} of BASE removed by one side", listed(area.base_faces)));
-  if (!area.ours_faces.empty()) parts.push_back(fmt::format("{} of OURS", listed(area.ours_faces)));
-  if (!area.theirs_faces.empty()) parts.push_back(fmt::format("{} of THEIRS", listed(area.theirs_faces)));
-  return fmt::format("{}; about ({:.4g}, {:.4g}, {:.4g})", joined(parts, "; "), area.centre[0], area.centre[1],
-                     area.centre[2]);
-}
-
-std::string describe(const ValueConflict& conflict) {
-  std::vector<std::string> names;
-  constexpr std::size_t kMost = 3;
-  const char letter = conflict.domain == Domain::Vertex ? 'v' : conflict.domain == Domain::Face ? 'f' : 'h';
-  for (std::size_t k = 0; k < conflict.first.size() && k < kMost; ++k) {
-    names.push_back(fmt::format("{}{}", letter, conflict.first[k]));
-  }
-  const std::string more = conflict.count > names.size() ? " ..." : "";
-  return fmt::format(
-      "{}: both sides changed {}, to different values: {}{} of OUT", title(conflict.name, conflict.domain),
-      counted(conflict.count, element_of(conflict.domain), elements_of(conflict.domain)), joined(names), more);
-}
-
 std::string describe(const MergedAttribute& attribute) {
   std::vector<std::string> parts;
   if (attribute.from_ours > 0) parts.push_back(fmt::format("{} from OURS", grouped(attribute.from_ours)));
@@ -94,21 +71,12 @@ std::string describe(const MergedAttribute& attribute) {
   return fmt::format("{}: {} changed, {}", text, elements_of(attribute.domain), joined(parts));
 }
 
-/// "3 faces of OURS from f12 on, f3 of BASE: one of 2 ways to lay them, and THEIRS changed something there".
-std::string describe(const DoubtfulPart& part) {
-  const std::string place = fmt::format("{} of {} from f{} on, f{} of BASE", counted(part.faces, "face"),
-                                        name_of(part.side), part.first_side.value, part.first_base.value);
-  const std::string why = part.ambiguous ? fmt::format("one of {} ways to lay them", grouped(part.ways))
-                                         : fmt::format("a confidence of {:.2f} only", part.confidence);
-  return fmt::format("{}: {}, and {} changed something there", place, why, name_of(other(part.side)));
-}
-
 /// The first lines of many.
 template <class Entries>
-void add_some(Lines& lines, const char* name, const Entries& entries, const char* noun) {
+void add_some(std::vector<ReportFigure>& lines, const char* name, const Entries& entries, const char* noun) {
   const std::size_t shown = entries.size() <= kMostLines + 1 ? entries.size() : kMostLines;
-  for (std::size_t k = 0; k < shown; ++k) lines.add(k == 0 ? name : "", describe(entries[k]));
-  if (shown < entries.size()) lines.add("", fmt::format("and {} more {}", entries.size() - shown, noun));
+  for (std::size_t k = 0; k < shown; ++k) lines.push_back({k == 0 ? name : "", cli::describe(entries[k])});
+  if (shown < entries.size()) lines.push_back({"", fmt::format("and {} more {}", entries.size() - shown, noun)});
 }
 
 std::string describe_result(const MergeSummary& summary) {
@@ -184,32 +152,70 @@ void count_origins(const Merged& merged, MergeSummary& summary) {
   summary.merged_vertices = merged.file.mesh.vertex_count();
 }
 
-std::string as_text(const MergeSummary& summary) {
+std::string describe(const ConflictArea& area) {
+  std::vector<std::string> parts;
+  if (!area.base_vertices.empty()) parts.push_back(fmt::format("{} of BASE", listed(area.base_vertices)));
+  if (!area.base_faces.empty()) parts.push_back(fmt::format("{} of BASE removed by one side", listed(area.base_faces)));
+  if (!area.ours_faces.empty()) parts.push_back(fmt::format("{} of OURS", listed(area.ours_faces)));
+  if (!area.theirs_faces.empty()) parts.push_back(fmt::format("{} of THEIRS", listed(area.theirs_faces)));
+  return fmt::format("{}; about ({:.4g}, {:.4g}, {:.4g})", joined(parts, "; "), area.centre[0], area.centre[1],
+                     area.centre[2]);
+}
+
+std::string describe(const ValueConflict& conflict) {
+  std::vector<std::string> names;
+  constexpr std::size_t kMost = 3;
+  const char letter = conflict.domain == Domain::Vertex ? 'v' : conflict.domain == Domain::Face ? 'f' : 'h';
+  for (std::size_t k = 0; k < conflict.first.size() && k < kMost; ++k) {
+    names.push_back(fmt::format("{}{}", letter, conflict.first[k]));
+  }
+  const std::string more = conflict.count > names.size() ? " ..." : "";
+  return fmt::format(
+      "{}: both sides changed {}, to different values: {}{} of OUT", title(conflict.name, conflict.domain),
+      counted(conflict.count, element_of(conflict.domain), elements_of(conflict.domain)), joined(names), more);
+}
+
+/// "3 faces of OURS from f12 on, f3 of BASE: one of 2 ways to lay them, and THEIRS changed something there".
+std::string describe(const DoubtfulPart& part) {
+  const std::string place = fmt::format("{} of {} from f{} on, f{} of BASE", counted(part.faces, "face"),
+                                        name_of(part.side), part.first_side.value, part.first_base.value);
+  const std::string why = part.ambiguous ? fmt::format("one of {} ways to lay them", grouped(part.ways))
+                                         : fmt::format("a confidence of {:.2f} only", part.confidence);
+  return fmt::format("{}: {}, and {} changed something there", place, why, name_of(other(part.side)));
+}
+
+std::vector<ReportFigure> figures_of(const MergeSummary& summary) {
   const MergeReport& report = summary.report;
-  Lines lines;
-  lines.add("base", fmt::format("{}: {}", display_name(summary.base), counted(summary.base_faces, "face")));
-  lines.add("ours", describe_side(summary.ours, summary.ours_faces, report.ours));
-  lines.add("theirs", describe_side(summary.theirs, summary.theirs_faces, report.theirs));
-  lines.add("merged", describe_result(summary));
+  std::vector<ReportFigure> lines{
+      {"base", fmt::format("{}: {}", display_name(summary.base), counted(summary.base_faces, "face"))},
+      {"ours", describe_side(summary.ours, summary.ours_faces, report.ours)},
+      {"theirs", describe_side(summary.theirs, summary.theirs_faces, report.theirs)},
+      {"merged", describe_result(summary)}};
   for (std::size_t k = 0; k < report.attributes.size(); ++k) {
-    lines.add(k == 0 ? "data" : "", describe(report.attributes[k]));
-    for (const std::string& remark : report.attributes[k].remarks) lines.add("", "  " + remark);
+    lines.push_back({k == 0 ? "data" : "", describe(report.attributes[k])});
+    for (const std::string& remark : report.attributes[k].remarks) lines.push_back({"", "  " + remark});
   }
   if (report.carried_along > 0) {
-    lines.add("moved", fmt::format("{} carried along by what the other side moved",
-                                   counted(report.carried_along, "vertex", "vertices")));
+    lines.push_back({"moved", fmt::format("{} carried along by what the other side moved",
+                                          counted(report.carried_along, "vertex", "vertices"))});
   }
-  lines.add("conflicts", describe_conflicts(summary));
+  lines.push_back({"conflicts", describe_conflicts(summary)});
   add_some(lines, "", report.areas, "areas");
   add_some(lines, "", report.values, "kinds of data");
   add_some(lines, "doubtful", report.doubtful, "parts");
   for (const DepartureKind kind : report.new_departures) {
-    lines.add("check", fmt::format("more of {} than the sides have; see quadmatch check", to_string(kind)));
+    lines.push_back({"check", fmt::format("more of {} than the sides have; see quadmatch check", to_string(kind))});
   }
+  return lines;
+}
+
+std::string as_text(const MergeSummary& summary) {
+  Lines lines;
+  for (ReportFigure& figure : figures_of(summary)) lines.add(std::move(figure.name), std::move(figure.text));
   lines.add("time", fmt::format("reading {}, matching {}, merging {}, writing {}", duration(summary.times.reading),
                                 duration(summary.times.matching), duration(summary.times.merging),
                                 duration(summary.times.writing)));
-  if (summary.output != "-") lines.add("written", summary.output);
+  add_written(lines, {summary.output == "-" ? "" : summary.output, summary.page}, summary.pictures);
   return lines.render();
 }
 
@@ -259,7 +265,9 @@ std::string as_json(const MergeSummary& summary) {
               {"matching", rounded(summary.times.matching)},
               {"merging", rounded(summary.times.merging)},
               {"writing", rounded(summary.times.writing)}}},
-            {"output", summary.output}};
+            {"output", summary.output},
+            {"report", summary.page.empty() ? Json(nullptr) : Json(summary.page)},
+            {"pictures", summary.pictures}};
   if (!summary.origins.empty()) {
     Json origins = Json::array();
     for (const InThree<FaceId>& origin : summary.origins) {

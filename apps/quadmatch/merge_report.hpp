@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include <quadmatch/report/report.hpp>
 #include <quadmatch/use/merge.hpp>
 
 namespace quadmatch::cli {
@@ -25,12 +26,20 @@ struct MergeSummary {
   std::vector<std::pair<std::string, std::string>> settings;
   MergeTimes times;
   std::string output;
-  std::vector<InThree<FaceId>> origins;  ///< of the result's faces, where they are asked for
+  std::string page;                        ///< where the HTML report was written; empty: nowhere
+  std::vector<std::string> pictures = {};  ///< files of the image, if there is one
+  std::vector<InThree<FaceId>> origins;    ///< of the result's faces, where they are asked for
 };
 
 /// Count where the faces of a merge come from.
 void count_origins(const Merged& merged, MergeSummary& summary);
 
+[[nodiscard]] std::string describe(const ConflictArea& area);
+[[nodiscard]] std::string describe(const ValueConflict& conflict);
+[[nodiscard]] std::string describe(const DoubtfulPart& part);
+
+/// What the summary says, line by line, but for times and files.
+[[nodiscard]] std::vector<ReportFigure> figures_of(const MergeSummary& summary);
 [[nodiscard]] std::string as_text(const MergeSummary& summary);
 [[nodiscard]] std::string as_json(const MergeSummary& summary);
 

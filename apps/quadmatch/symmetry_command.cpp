@@ -12,7 +12,9 @@
 #include "command.hpp"
 #include "console.hpp"
 #include "dirt.hpp"
+#include "html_report.hpp"
 #include "inputs.hpp"
+#include "picture_options.hpp"
 #include "symmetry_report.hpp"
 #include "text.hpp"
 
@@ -36,8 +38,12 @@ What --only names:
              copied as they are; an arm called arm.L gives its name to the other arm
 Faces and vertices without partner stay as they are.
 
+With --report and --image the mesh stands beside itself: a part and its partner have one colour,
+the centre line is where colours meet, and what has no partner is red.
+
 Examples:
   quadmatch symmetry head.obj
+  quadmatch symmetry head.obj --report head.html --image head.png
   quadmatch symmetry posed.obj -o map.json && quadmatch verify posed.obj posed.obj map.json
   quadmatch symmetry head.obj --symmetrize even.obj --from +x
   quadmatch symmetry posed.ply --symmetrize out.ply --from -x --only properties
@@ -61,6 +67,8 @@ struct SymmetryArguments {
   std::string output;
   std::string symmetrized;
   std::string from;
+  std::string page;  // of the HTML report, empty: none
+  PictureWishes pictures;
   std::vector<std::string> only;
   bool no_positions = false;
   bool json = false;
@@ -98,7 +106,8 @@ bool arguments_fit(const SymmetryArguments& arguments) {
                          arguments.symmetrized));
     return false;
   }
-  return true;
+  return report_fits(arguments.page, {arguments.mesh}, {arguments.output, arguments.symmetrized}) &&
+         pictures_fit(arguments.pictures, {arguments.mesh}, {arguments.output, arguments.symmetrized, arguments.page});
 }
 
 SymmetrizeOptions options_of(const SymmetryArguments& arguments) {
@@ -145,6 +154,20 @@ Expected<SymmetrizeSummary> write_symmetrized(const SymmetryArguments& arguments
   return summary;
 }
 
+/// The page and the picture, as far as they were asked for.
+bool write_views(const SymmetryArguments& arguments, const MeshFile& file, SymmetrySummary& summary) {
+  if (arguments.page.empty() && !arguments.pictures.any()) return true;
+  const Match shown = cut_along_line(file.mesh, summary.symmetry);
+  if (!arguments.page.empty()) {
+    const Expected<void> written = write_report(arguments.page, file, file, shown, report_text(file.mesh, summary));
+    if (!written) complain(written.error());
+    if (!written) return false;
+    summary.page = arguments.page;
+  }
+  summary.pictures = arguments.pictures.files();
+  return write_pictures(arguments.pictures, file, file, shown);
+}
+
 bool tell(const SymmetryArguments& arguments, const SymmetrySummary& summary) {
   if (arguments.json) return print(as_json(summary));
   if (arguments.quiet) return true;
@@ -158,6 +181,7 @@ int run_symmetry(const SymmetryArguments& arguments) {
   Progress progress(!arguments.quiet);
   Stopwatch stopwatch;
   SymmetrySummary summary;
+  summary.path = arguments.mesh;
   progress.stage(fmt::format("reading {}", display_name(arguments.mesh)));
   const std::optional<MeshFile> file = read_input(arguments.mesh, !arguments.quiet);
   if (!file) return kTrouble;
@@ -178,6 +202,7 @@ int run_symmetry(const SymmetryArguments& arguments) {
     }
     summary.symmetrized = *std::move(done);
   }
+  if (!write_views(arguments, *file, summary)) return kTrouble;
   if (!arguments.output.empty()) {
     if (Expected<void> written = write_map(arguments, *file, summary.symmetry); !written) {
       return complain(written.error());
@@ -185,7 +210,6 @@ int run_symmetry(const SymmetryArguments& arguments) {
   }
   progress.clear();
 
-  summary.path = arguments.mesh;
   summary.settings = settings_of(arguments);
   summary.output = arguments.output;
   if (!tell(arguments, summary)) return kTrouble;
@@ -201,6 +225,8 @@ void add_symmetry_command(CLI::App& program, Action& chosen) {
   verb->footer(kFooter);
   verb->add_option("A", arguments->mesh, "Mesh; - reads standard input")->required()->type_name("FILE");
   verb->add_option("-o,--output", arguments->output, "Map to write; - writes it to standard output")->type_name("FILE");
+  add_report_option(*verb, arguments->page);
+  add_picture_options(*verb, arguments->pictures, false);
   verb->add_option("--symmetrize", arguments->symmetrized,
                    "Mesh to write, with one side copied to the other; - writes OBJ to standard output")
       ->type_name("OUT");

@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <quadmatch/mesh/per_element.hpp>
+
+#include "html_report.hpp"
 #include "inputs.hpp"
 #include "json.hpp"
 #include "text.hpp"
@@ -72,22 +75,98 @@ std::string describe_line(const CentreLine& line) {
                      counted(line.faces.size(), "face"));
 }
 
-void add_lonely(Lines& lines, const SymmetrySummary& summary) {
+std::string describe(const LonelyArea& area) {
+  return fmt::format("{}{} from f{} on: nothing opposite is connected like this", counted(area.faces.size(), "face"),
+                     area.place.empty() ? "" : " " + area.place, area.faces.front().value);
+}
+
+void add_lonely(std::vector<ReportFigure>& figures, const SymmetrySummary& summary) {
   constexpr std::size_t kMostLines = 8;
   const std::vector<LonelyArea>& areas = summary.lonely;
   const std::size_t shown = areas.size() <= kMostLines + 1 ? areas.size() : kMostLines;
-  for (std::size_t k = 0; k < shown; ++k) {
-    const LonelyArea& area = areas[k];
-    lines.add(k == 0 ? "no partner" : "",
-              fmt::format("{}{} from f{} on: nothing opposite is connected like this", counted(area.faces, "face"),
-                          area.place.empty() ? "" : " " + area.place, area.first.value));
-  }
-  if (shown < areas.size()) lines.add("", fmt::format("and {} more areas", areas.size() - shown));
+  for (std::size_t k = 0; k < shown; ++k) figures.push_back({k == 0 ? "no partner" : "", describe(areas[k])});
+  if (shown < areas.size()) figures.push_back({"", fmt::format("and {} more areas", areas.size() - shown)});
   const std::size_t vertices = summary.symmetry.unpaired_vertices.size();
-  if (vertices > 0) {
-    lines.add(shown == 0 ? "no partner" : "", fmt::format("{} in all", counted(vertices, "vertex", "vertices")));
-  }
+  if (vertices == 0) return;
+  figures.push_back(
+      {shown == 0 ? "no partner" : "", fmt::format("{} in all", counted(vertices, "vertex", "vertices"))});
 }
+
+/// What the summary says, line by line, but for times and files.
+std::vector<ReportFigure> figures_of(const SymmetrySummary& summary) {
+  const Symmetry& symmetry = summary.symmetry;
+  std::vector<ReportFigure> figures{{"mesh", describe_mesh(summary)}, {"mirrors", describe_mirrors(symmetry)}};
+  if (symmetry.mirrors > 0) {
+    figures.push_back({"pairs", fmt::format("{} of faces, {} of vertices", grouped(symmetry.face_pairs),
+                                            grouped(symmetry.vertex_pairs))});
+    figures.push_back({"centre line", describe_line(symmetry.line)});
+    if (symmetry.plane) figures.push_back({"plane", describe_plane(*symmetry.plane)});
+  }
+  add_lonely(figures, summary);
+  return figures;
+}
+
+/// Faces that the line runs through or along.
+std::vector<FaceId> faces_at_line(const Mesh& mesh, const CentreLine& line) {
+  std::vector<FaceId> faces = line.faces;
+  PerVertex<std::uint8_t> on_line(mesh.vertex_count(), 0);
+  for (const VertexId vertex : line.vertices) on_line[vertex] = 1;
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+    const HalfedgeId side(h);
+    if (on_line[mesh.origin(side)] != 0 && on_line[mesh.tip(side)] != 0) faces.push_back(mesh.face(side));
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+/// Cuts the regions of a mirror where a face meets its own partner, and around faces that are their own.
+class Cutter {
+ public:
+  Cutter(const Mesh& mesh, const Match& match) : mesh_(mesh), pair_of_(mesh.face_count()), to_take_(mesh.face_count()) {
+    for (std::uint32_t r = 0; r < match.regions.size(); ++r) {
+      for (const FacePair& pair : match.regions[r].faces) {
+        pair_of_[pair.source] = {r, pair};
+        to_take_[pair.source] = 1;
+      }
+    }
+  }
+
+  /// The piece around a face, none where it was taken before; faces in the order in which they are met.
+  std::vector<FacePair> take(FaceId start) {
+    std::vector<FacePair> piece;
+    if (!start.valid() || to_take_[start] == 0) return piece;
+    to_take_[start] = 0;
+    piece.push_back(pair_of_[start].pair);
+    for (std::size_t next = 0; next < piece.size(); ++next) {
+      const FaceId here = piece[next].source;
+      for (const HalfedgeId h : mesh_.halfedges(here)) {
+        const HalfedgeId other = mesh_.twin(h);
+        if (!other.valid() || to_take_[mesh_.face(other)] == 0 || !hang_together(here, mesh_.face(other))) continue;
+        to_take_[mesh_.face(other)] = 0;
+        piece.push_back(pair_of_[mesh_.face(other)].pair);
+      }
+    }
+    return piece;
+  }
+
+ private:
+  struct Placed {
+    std::uint32_t region = 0;
+    FacePair pair = {};
+  };
+
+  [[nodiscard]] bool hang_together(FaceId a, FaceId b) const {
+    const auto& [region_a, pair_a] = pair_of_[a];
+    const auto& [region_b, pair_b] = pair_of_[b];
+    const bool a_on_line = pair_a.target == a, b_on_line = pair_b.target == b;
+    return region_a == region_b && pair_a.target != b && a_on_line == b_on_line;
+  }
+
+  const Mesh& mesh_;
+  PerFace<Placed> pair_of_;
+  PerFace<std::uint8_t> to_take_;
+};
 
 void add_symmetrized(Lines& lines, const SymmetrizeSummary& done) {
   if (done.with_positions) {
@@ -115,32 +194,56 @@ Json plane_json(const std::optional<MirrorPlane>& plane) {
 }  // namespace
 
 std::vector<LonelyArea> lonely_areas(const Mesh& mesh, const Symmetry& symmetry) {
-  PerFace<std::uint8_t> is_lonely(mesh.face_count(), 0);
-  for (const FaceId face : symmetry.unpaired_faces) is_lonely[face] = 1;
   std::vector<LonelyArea> areas;
-  for (const FaceId seed : symmetry.unpaired_faces) {
-    if (is_lonely[seed] == 0) continue;
-    is_lonely[seed] = 0;
-    std::vector<FaceId> faces{seed};
+  for (std::vector<FaceId>& faces : connected_areas(mesh, symmetry.unpaired_faces)) {
     Point sum = {0, 0, 0};
     double corners = 0;
-    for (std::size_t here = 0; here < faces.size(); ++here) {
-      for (const HalfedgeId h : mesh.halfedges(faces[here])) {
-        if (!mesh.positions().empty()) {
-          for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += mesh.positions()[mesh.origin(h).value][axis];
-        }
-        corners += 1;
-        const HalfedgeId beside = mesh.twin(h);
-        if (!beside.valid() || is_lonely[mesh.face(beside)] == 0) continue;
-        is_lonely[mesh.face(beside)] = 0;
-        faces.push_back(mesh.face(beside));
+    for (const FaceId face : faces) {
+      corners += mesh.size(face);
+      if (mesh.positions().empty()) continue;
+      for (const HalfedgeId h : mesh.halfedges(face)) {
+        for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += mesh.positions()[mesh.origin(h).value][axis];
       }
     }
-    areas.push_back({seed, static_cast<std::uint32_t>(faces.size()), place_of(symmetry.plane, sum, corners)});
+    std::string place = place_of(symmetry.plane, sum, corners);
+    areas.push_back({std::move(faces), std::move(place)});
   }
-  std::stable_sort(areas.begin(), areas.end(),
-                   [](const LonelyArea& a, const LonelyArea& b) { return a.faces > b.faces; });
   return areas;
+}
+
+Match cut_along_line(const Mesh& mesh, const Symmetry& symmetry) {
+  Match cut{.regions = {}, .vertices = symmetry.match.vertices, .complete = symmetry.match.complete};
+  Cutter cutter(mesh, symmetry.match);
+  for (const Region& region : symmetry.match.regions) {
+    for (const FacePair& pair : region.faces) {
+      for (const FaceId start : {pair.source, pair.target}) {  // the piece opposite comes next
+        std::vector<FacePair> piece = cutter.take(start);
+        if (piece.empty()) continue;
+        cut.regions.push_back(region);
+        cut.regions.back().faces = std::move(piece);
+        cut.regions.back().waves.clear();
+      }
+    }
+  }
+  std::stable_sort(cut.regions.begin(), cut.regions.end(),
+                   [](const Region& a, const Region& b) { return a.faces.size() > b.faces.size(); });
+  return cut;
+}
+
+ReportText report_text(const Mesh& mesh, const SymmetrySummary& summary) {
+  ReportText text{.title = report_title(summary.path, "its mirror image"),
+                  .program = "quadmatch " QUADMATCH_VERSION,
+                  .figures = figures_of(summary),
+                  .changes = {},
+                  .mirror = true};
+  if (const CentreLine& line = summary.symmetry.line; !line.empty()) {
+    const std::vector<FaceId> faces = faces_at_line(mesh, line);
+    text.changes.push_back({"centre line", faces, faces, describe_line(line)});
+  }
+  for (const LonelyArea& area : summary.lonely) {
+    text.changes.push_back({"no partner", area.faces, area.faces, describe(area)});
+  }
+  return text;
 }
 
 std::string map_field(const Symmetry& symmetry) {
@@ -158,22 +261,14 @@ std::string map_field(const Symmetry& symmetry) {
 }
 
 std::string as_text(const SymmetrySummary& summary) {
-  const Symmetry& symmetry = summary.symmetry;
   Lines lines;
-  lines.add("mesh", describe_mesh(summary));
-  lines.add("mirrors", describe_mirrors(symmetry));
-  if (symmetry.mirrors > 0) {
-    lines.add("pairs",
-              fmt::format("{} of faces, {} of vertices", grouped(symmetry.face_pairs), grouped(symmetry.vertex_pairs)));
-    lines.add("centre line", describe_line(symmetry.line));
-    if (symmetry.plane) lines.add("plane", describe_plane(*symmetry.plane));
-  }
-  add_lonely(lines, summary);
+  for (ReportFigure& figure : figures_of(summary)) lines.add(std::move(figure.name), std::move(figure.text));
   if (summary.symmetrized) add_symmetrized(lines, *summary.symmetrized);
   lines.add("time",
             fmt::format("reading {}, matching {}", duration(summary.times.reading), duration(summary.times.matching)));
   if (!summary.output.empty() && summary.output != "-") lines.add("written", summary.output);
   if (summary.symmetrized && summary.symmetrized->output != "-") lines.add("written", summary.symmetrized->output);
+  add_written(lines, {summary.page}, summary.pictures);
   return lines.render();
 }
 
@@ -181,7 +276,7 @@ std::string as_json(const SymmetrySummary& summary) {
   const Symmetry& symmetry = summary.symmetry;
   Json areas = Json::array(), settings = Json::object();
   for (const LonelyArea& area : summary.lonely) {
-    areas.push_back({{"first_face", area.first.value}, {"faces", area.faces}, {"place", area.place}});
+    areas.push_back({{"first_face", area.faces.front().value}, {"faces", area.faces.size()}, {"place", area.place}});
   }
   for (const auto& [name, value] : summary.settings) settings[name] = value;
   Json json = {{"mesh", {{"path", summary.path}, {"faces", symmetry.faces}, {"vertices", symmetry.vertices}}},
@@ -212,6 +307,8 @@ std::string as_json(const SymmetrySummary& summary) {
   json["settings"] = settings;
   json["milliseconds"] = {{"reading", rounded(summary.times.reading)}, {"matching", rounded(summary.times.matching)}};
   json["output"] = summary.output;
+  json["report"] = summary.page.empty() ? Json(nullptr) : Json(summary.page);
+  json["pictures"] = summary.pictures;
   return json_text(json);
 }
 

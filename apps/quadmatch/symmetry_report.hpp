@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <quadmatch/report/report.hpp>
 #include <quadmatch/use/symmetry.hpp>
 
 #include "match_report.hpp"
@@ -14,8 +15,7 @@ namespace quadmatch::cli {
 
 /// A connected area of faces without partner.
 struct LonelyArea {
-  FaceId first;  ///< its lowest face
-  std::uint32_t faces = 0;
+  std::vector<FaceId> faces;  ///< ascending
   /// Where its middle is, beside the plane: "on the +x side"; empty where there is no plane.
   std::string place;
 };
@@ -35,8 +35,10 @@ struct SymmetrySummary {
   Symmetry symmetry;
   std::vector<LonelyArea> lonely;  ///< from the largest
   std::vector<std::pair<std::string, std::string>> settings;
-  Times times;         ///< matching: the search
-  std::string output;  ///< where the map was written; empty: nowhere
+  Times times;                        ///< matching: the search
+  std::string output;                 ///< where the map was written; empty: nowhere
+  std::string page;                   ///< where the HTML report was written; empty: nowhere
+  std::vector<std::string> pictures;  ///< files of the image, if there is one
   std::optional<SymmetrizeSummary> symmetrized;
 };
 
@@ -44,6 +46,13 @@ struct SymmetrySummary {
 
 /// The field `symmetry` of a map file: centre line, what has no partner, the plane, and how many mirrors there are.
 [[nodiscard]] std::string map_field(const Symmetry& symmetry);
+
+/// The mirror as pictures show it: cut along the centre line, so that each side is a region of its own, next to the one
+/// opposite, and what lies on the line is a third. What is said of a region of the mirror is said of its pieces.
+[[nodiscard]] Match cut_along_line(const Mesh& mesh, const Symmetry& symmetry);
+
+/// What the HTML report says of it: the centre line and every area without partner, to fly to.
+[[nodiscard]] ReportText report_text(const Mesh& mesh, const SymmetrySummary& summary);
 
 [[nodiscard]] std::string as_text(const SymmetrySummary& summary);
 [[nodiscard]] std::string as_json(const SymmetrySummary& summary);

@@ -37,7 +37,7 @@ Quads quads_of(const Mesh& mesh) {
   Quads quads;
   quads.corners.reserve(mesh.face_count());
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-    const std::uint32_t first = (*mesh.halfedges(FaceId(f)).begin()).value;
+    const std::uint32_t first = mesh.first(FaceId(f)).value;
     const auto corner = [&](std::uint32_t k) { return mesh.corners()[first + k].value; };
     const std::uint32_t size = mesh.size(FaceId(f));
     for (std::uint32_t k = 1; k + 1 < size; k += 2) {

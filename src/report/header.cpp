@@ -71,6 +71,7 @@ std::string format_header(const MeshHeader& source, const MeshHeader& target, co
   const Json header = {{"format", "quadmatch.report/1"},
                        {"title", text.title},
                        {"program", text.program},
+                       {"mirror", text.mirror},
                        {"source", mesh_json(source)},
                        {"target", mesh_json(target)},
                        {"regions", regions},

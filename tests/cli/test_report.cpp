@@ -118,7 +118,7 @@ TEST_CASE("a page that cannot be written is trouble in one line, and nothing is 
            {{"--report", "-"},
             "--report needs the name of a file, such as report.html; - is for standard output, which has the figures"},
            {{"--report", "m.html", "-o", "./m.html"},
-            "m.html: -o and --report name the same file; choose another name for one of them"}}) {
+            "m.html: another option and --report name the same file; choose another name for one of them"}}) {
     std::vector<std::string> arguments{"match", "a.obj", "b.obj"};
     arguments.insert(arguments.end(), trouble.arguments.begin(), trouble.arguments.end());
     const Outcome outcome = folder.run(arguments);

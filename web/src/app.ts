@@ -201,6 +201,10 @@ export class App {
     faces[side].push(face);
     const partner = this.report.match[side].partner[face];
     if (partner !== NONE) faces[otherSide(side)].push(partner);
+    if (!this.report.header.mirror) return;
+    // One mesh twice: both are on both sides.
+    faces[otherSide(side)].push(face);
+    if (partner !== NONE && partner !== face) faces[side].push(partner);
   }
 
   private showPins(): void {

@@ -2,6 +2,7 @@
 /// A match to look at: one HTML file with both meshes, the match, its figures and what differs. It opens from disk and
 /// needs no network (docs/design/019-report.md).
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,7 +38,13 @@ struct ReportText {
   std::vector<ReportFigure> figures = {};
   /// In the order in which they are listed.
   std::vector<ReportChange> changes = {};
+  /// Source and target are one mesh, and the match its mirror: faces and partners light up on both sides.
+  bool mirror = false;
 };
+
+/// Some faces of a mesh as connected areas, each ascending; from the largest, ties by lowest face.
+/// @par Cost   O(#F + corners of these faces).
+[[nodiscard]] std::vector<std::vector<FaceId>> connected_areas(const Mesh& mesh, std::span<const FaceId> faces);
 
 /// The connected areas of faces that have no partner, each as a change: "only in source" first, then "only in target",
 /// from the largest, ties by lowest face.

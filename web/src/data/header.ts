@@ -36,6 +36,8 @@ export interface ReportHeader {
   format: string;
   title: string;
   program: string;
+  /** Source and target are one mesh, and the match its mirror. */
+  mirror: boolean;
   source: MeshHeader;
   target: MeshHeader;
   regions: RegionHeader[];
