@@ -266,9 +266,9 @@ std::string as_text(const SymmetrySummary& summary) {
   if (summary.symmetrized) add_symmetrized(lines, *summary.symmetrized);
   lines.add("time",
             fmt::format("reading {}, matching {}", duration(summary.times.reading), duration(summary.times.matching)));
-  if (!summary.output.empty() && summary.output != "-") lines.add("written", summary.output);
-  if (summary.symmetrized && summary.symmetrized->output != "-") lines.add("written", summary.symmetrized->output);
-  add_written(lines, {summary.page}, summary.pictures);
+  const auto file = [](const std::string& output) { return output == "-" ? std::string() : output; };
+  add_written(lines, {file(summary.output), summary.symmetrized ? file(summary.symmetrized->output) : "", summary.page},
+              summary.pictures);
   return lines.render();
 }
 

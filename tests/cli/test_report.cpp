@@ -28,6 +28,8 @@ Json header_of(const std::string& html) {
   return Json::parse(html.substr(start, html.find("</script>", start) - start));
 }
 
+std::size_t faces_of(const PolygonSoup& soup) { return soup.corners.size() / 4; }
+
 }  // namespace
 
 TEST_CASE("match --report writes a page with the figures of the summary, and without -o no match file") {
@@ -134,4 +136,91 @@ TEST_CASE("a page that cannot be written is trouble in one line, and nothing is 
   CHECK(folder.run({"match", "a.obj", "b.obj", "--report", "full.html"}).status == 2);
   CHECK((folder.read("a.obj") == before));
   CHECK(folder.names() == std::vector<std::string>{"a.obj", "b.obj", "full.html"});
+}
+
+TEST_CASE("merge --report shows the base beside the result, and lists who removed and who added what") {
+  const Folder folder;
+  const PolygonSoup shirt = shapes::shirt(shapes::Sleeves::Short).soup;
+  folder.write("base.obj", shirt);
+  const Expected<shapes::Edit> deleted = shapes::delete_patch(shirt, FaceId(600), 12);
+  const Expected<shapes::Edit> extruded = shapes::extrude_patch(shirt, FaceId(100), 9, 0.02);
+  REQUIRE((deleted.has_value() && extruded.has_value()));
+  folder.write("ours.obj", shapes::renumbered(deleted->soup, 4).soup);
+  folder.write("theirs.obj", shapes::renumbered(extruded->soup, 5).soup);
+  const std::size_t wall = faces_of(extruded->soup) - faces_of(shirt);
+  const std::vector<std::string> command{"merge", "base.obj", "ours.obj", "theirs.obj", "-o", "out.obj"};
+  std::vector<std::string> paged = command;
+  paged.insert(paged.end(), {"--report", "page.html"});
+  folder.run(command);
+  const std::string plain = folder.read("out.obj");
+  const Outcome outcome = folder.run(paged);
+  CHECK(outcome.status == 0);
+  CHECK(contains(outcome.out, "written    out.obj\n           page.html\n"));
+  CHECK((folder.read("out.obj") == plain));
+  const Json header = header_of(folder.read("page.html"));
+  CHECK(header.at("title") == "base.obj and out.obj");
+  CHECK(header.at("mirror") == false);
+  CHECK(header.at("source").at("faces") == faces_of(shirt));
+  CHECK(header.at("target").at("faces") == faces_of(shirt) - 12 + wall);
+  REQUIRE(header.at("changes").size() == 2);
+  CHECK(header.at("changes").at(0).at(0) == "removed by OURS");
+  CHECK(header.at("changes").at(0).at(1).get<std::string>().starts_with("12 faces around f"));
+  CHECK(header.at("changes").at(1).at(0) == "added by THEIRS");
+  CHECK(header.at("changes").at(1).at(1).get<std::string>().starts_with(std::to_string(wall) + " faces around f"));
+  std::size_t matched = 0;
+  for (const Json& region : header.at("regions")) matched += region.at("faces").get<std::size_t>();
+  CHECK(matched == faces_of(shirt) - 12);
+  paged.emplace_back("--json");
+  CHECK(Json::parse(folder.run(paged).out).at("report") == "page.html");
+}
+
+TEST_CASE("merge --report lists conflicts first, by the sentence of the summary") {
+  const Folder folder;
+  const PolygonSoup shirt = shapes::shirt(shapes::Sleeves::Short).soup;
+  folder.write("base.obj", shirt);
+  const Expected<shapes::Edit> deleted = shapes::delete_patch(shirt, FaceId(600), 12);
+  const Expected<shapes::Edit> extruded = shapes::extrude_patch(shirt, FaceId(600), 9, 0.02);
+  REQUIRE((deleted.has_value() && extruded.has_value()));
+  folder.write("ours.obj", deleted->soup);
+  folder.write("theirs.obj", extruded->soup);
+  const Outcome outcome =
+      folder.run({"merge", "base.obj", "ours.obj", "theirs.obj", "-o", "out.obj", "--report", "page.html"});
+  CHECK(outcome.status == 1);
+  const Json header = header_of(folder.read("page.html"));
+  REQUIRE_FALSE(header.at("changes").empty());
+  CHECK(header.at("changes").at(0).at(0) == "conflict");
+  CHECK(contains(outcome.out, header.at("changes").at(0).at(1).get<std::string>()));
+}
+
+TEST_CASE("symmetry --report shows each side of the line as a region, and lists the line and what has no partner") {
+  const Folder folder;
+  const PolygonSoup ball = shapes::sphere(8);
+  folder.write("whole.obj", ball);
+  const Outcome whole = folder.run({"symmetry", "whole.obj", "--report", "whole.html", "-o", "map.json"});
+  CHECK(whole.status == 0);
+  CHECK(contains(whole.out, "written      map.json\n             whole.html\n"));
+  const Json header = header_of(folder.read("whole.html"));
+  CHECK(header.at("title") == "whole.obj and its mirror image");
+  CHECK(header.at("mirror") == true);
+  CHECK(header.at("changes").at(0).at(0) == "centre line");
+  // Both sides of the line, part by part: as many faces left as right.
+  const Json& regions = header.at("regions");
+  REQUIRE(regions.size() >= 2);
+  CHECK(regions.at(0).at("faces") == regions.at(1).at("faces"));
+  std::size_t faces = 0;
+  for (const Json& region : regions) faces += region.at("faces").get<std::size_t>();
+  CHECK(faces == faces_of(ball));
+
+  const Expected<shapes::Edit> edit = shapes::extrude_patch(ball, FaceId(5), 4, 0.02);
+  REQUIRE(edit.has_value());
+  folder.write("edited.obj", edit->soup);
+  const Outcome edited = folder.run({"symmetry", "edited.obj", "--report", "edited.html", "--json"});
+  CHECK(edited.status == 1);
+  const Json figures = Json::parse(edited.out);
+  CHECK(figures.at("report") == "edited.html");
+  const Json changes = header_of(folder.read("edited.html")).at("changes");
+  CHECK(changes.size() == 1 + figures.at("unpaired_areas").size());
+  CHECK(changes.at(1).at(0) == "no partner");
+  CHECK(folder.run({"symmetry", "whole.obj", "--report", "whole.obj"}).status == 2);
+  CHECK(folder.run({"symmetry", "whole.obj", "--report", "m.json", "-o", "m.json"}).status == 2);
 }

@@ -16,9 +16,10 @@ export const folder = mkdtempSync(join(tmpdir(), "quadmatch-web-"));
 process.on("exit", () => rmSync(folder, { recursive: true, force: true }));
 
 export function run(program, ...words) {
-  const { status, stderr, error } = spawnSync(join(BUILD, program), words, { encoding: "utf8", cwd: folder });
+  const { status, stdout, stderr, error } = spawnSync(join(BUILD, program), words, { encoding: "utf8", cwd: folder });
   if (error) throw error;
   if (status > 1) throw new Error(`${program} ${words.join(" ")}: ${stderr}`);
+  return stdout;
 }
 
 let made = 0;

@@ -1,0 +1,123 @@
+// Reports of merge and symmetry, seen by a browser and held against what the verbs say of themselves.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { drawn, EXAMPLES, folder, launch, open, partners, pixels, run } from "./support.mjs";
+
+const SIDES = ["source", "target"];
+let browser;
+
+before(async () => {
+  browser = await launch();
+});
+after(() => browser?.close());
+
+const said = (page) => page.textContent("#said");
+const isRed = ([red, green, blue]) => red > 90 && red > 2.4 * green && red > 2.4 * blue;
+
+/** Points all over a view, in pixels of the page. */
+async function places(page, side, count) {
+  const box = await page.locator(`#view-${side}`).boundingBox();
+  const found = [];
+  for (let i = 1; i < count; ++i) {
+    for (let j = 1; j < count; ++j) found.push([Math.round(box.x + (box.width * i) / count), Math.round(box.y + (box.height * j) / count)]);
+  }
+  return found;
+}
+
+/** How many faces of either kind were met; every pixel is red exactly where its face has no partner. */
+async function checkRed(page, side, hasPartner) {
+  const sought = await places(page, side, 60);
+  const colours = await pixels(browser, page, sought);
+  const picked = await page.evaluate(
+    ([name, list]) =>
+      list.map(([x, y]) => [[0.5, 0.5], [-1, -1], [-1, 2], [2, -1], [2, 2]].map(([dx, dy]) => window.quadmatch.picture.pick(name, x + dx, y + dy))),
+    [side, sought],
+  );
+  let red = 0;
+  let other = 0;
+  sought.forEach(([x, y], i) => {
+    const unmatched = picked[i].map((face) => face >= 0 && !hasPartner(face));
+    if (unmatched.some((answer) => answer !== unmatched[0])) return;
+    assert.equal(isRed(colours[i]), unmatched[0], `pixel ${x}, ${y} of the ${side}: ${colours[i]}, face ${picked[i][0]}`);
+    if (unmatched[0]) ++red;
+    else if (picked[i][0] >= 0) ++other;
+  });
+  return { red, other };
+}
+
+test("a merge is shown as the base beside the result: red what a side added, listed by side, and conflicts first", async () => {
+  const base = join(EXAMPLES, "bear.obj");
+  const [ours, theirs] = [join(folder, "mine.obj"), join(folder, "yours.obj")];
+  run("edit_mesh", base, ours, "extrude:24", "--seed", "24");
+  run("edit_mesh", base, theirs, "loop:1", "renumber", "--seed", "4");
+  const path = join(folder, "merge.html");
+  const { origins, merged } = JSON.parse(
+    run("quadmatch", "merge", base, ours, theirs, "-o", join(folder, "merged.obj"), "--report", path, "--json", "--origins"),
+  );
+  const page = await open(browser, path);
+  await page.uncheck("#layer-wireframe");
+  await page.uncheck("#layer-ambiguous");
+  await drawn(page);
+  assert.equal(await page.title(), "bear.obj and merged.obj");
+  assert.deepEqual(await page.locator("[data-change]").allTextContents().then((texts) => texts.map((text) => /by (OURS|THEIRS)/.exec(text)[1])), ["OURS", "THEIRS"]);
+  const { red, other } = await checkRed(page, "target", (face) => origins[face][0] !== null);
+  assert.ok(red >= 8 && other > 400, `${red} red places, ${other} others`);
+  assert.equal((await checkRed(page, "source", () => true)).red, 0);
+  assert.match(await page.textContent(".figures"), new RegExp(`${merged.faces.toLocaleString("en")} faces: `));
+  await page.keyboard.press("n");
+  assert.match(await said(page), new RegExp(`^added by OURS: ${merged.from_ours} faces around f\\d+ of OUT$`));
+  assert.deepEqual(page.troubles, []);
+  await page.close();
+
+  run("edit_mesh", base, theirs, "delete:30", "--seed", "24");
+  run("quadmatch", "merge", base, ours, theirs, "-o", join(folder, "merged.obj"), "--report", path);
+  const second = await open(browser, path);
+  assert.match(await second.locator("[data-change='0']").textContent(), /conflict/);
+  await second.click("[data-change='0']");
+  assert.match(await said(second), /^conflict: .* of BASE/);
+  assert.deepEqual(second.troubles, []);
+  await second.close();
+});
+
+test("a mirror is shown as a mesh beside itself: pairs light up on both, the line is drawn, and red has no partner", async () => {
+  const bear = join(EXAMPLES, "bear_posed.obj");
+  const path = join(folder, "mirror.html");
+  run("quadmatch", "symmetry", bear, "-o", join(folder, "mirror.json"), "--report", path, "--quiet");
+  const map = JSON.parse(readFileSync(join(folder, "mirror.json"), "utf8"));
+  const partner = partners(map, 0);
+  const page = await open(browser, path);
+  await drawn(page);
+  const edges = await page.evaluate(() => window.quadmatch.picture.panes.source.layers.get("seams")[0].geometry.getAttribute("position").count / 2);
+  // An edge of the line is seen from either of its faces.
+  assert.equal(edges, 2 * map.symmetry.centre_line.edges.length);
+  assert.match(await page.locator("[data-change='0']").textContent(), /centre line/);
+  assert.equal(await page.locator("[data-change]").count(), 3);
+
+  let met = 0;
+  for (const [x, y] of await places(page, "source", 8)) {
+    await page.evaluate(() => (document.getElementById("said").textContent = ""));
+    await page.mouse.move(x, y);
+    await drawn(page);
+    const text = await said(page);
+    if (text === "") continue;
+    const face = Number(/^f(\d+) of the source/.exec(text)[1]);
+    const expected = partner.has(face) ? `lies on f${partner.get(face)} of the target` : "has no partner";
+    assert.ok(text.startsWith(`f${face} of the source ${expected}`), text);
+    const lit = await page.evaluate(() => ["source", "target"].map((side) => window.quadmatch.picture.panes[side].marks.pointed[0].geometry.getAttribute("position").count / 6));
+    assert.deepEqual(lit, partner.has(face) ? [2, 2] : [1, 1]);
+    ++met;
+  }
+  assert.ok(met > 8, `only ${met} faces were met`);
+  await page.mouse.move(2, 2);
+  await page.uncheck("#layer-wireframe");
+  await page.uncheck("#layer-seams");
+  await drawn(page);
+  for (const side of SIDES) {
+    const { red, other } = await checkRed(page, side, (face) => partner.has(face));
+    assert.ok(red >= 8 && other > 400, `${side}: ${red} red places, ${other} others`);
+  }
+  assert.deepEqual(page.troubles, []);
+  await page.close();
+});
