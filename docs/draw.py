@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Draw the pictures of README.md and of the pages in docs/ into docs/images/: the same bytes every time.
 
-usage: docs/draw.py [--build FOLDER]
+usage: docs/draw.py [--build FOLDER] [--only NAME...]
 
 Everything shown is the program's own output on the shipped examples. Needs a release build, and
 Debian's python3-matplotlib, which brings numpy and PIL along.
@@ -14,7 +14,7 @@ import matplotlib
 import numpy
 
 from picture import (ADDED_BY_OURS, ADDED_BY_THEIRS, AGREES, ANCHOR, EXAMPLES, NODE, ON_LINE, PLAIN, REGIONS,
-                     ROOT, UNMATCHED, Mesh, Picture, Programs, chequered, ends_of, panels, region_colours,
+                     ROOT, UNMATCHED, Mesh, Picture, Programs, chequered, drawn, ends_of, panels, region_colours,
                      save, valences, view)
 
 IMAGES = ROOT / "docs" / "images"
@@ -82,9 +82,47 @@ def draw_pair(programs, name, source, target, titles, box=None, both_sides=False
 
 
 def draw_bears(programs):
-    """What demo.sh matches."""
-    names = "bear.obj", "bear_no_ears_posed.obj"
-    draw_pair(programs, "bears.png", *(EXAMPLES / name for name in names), names)
+    """What demo.sh matches: the picture and the film are the program's own."""
+    pair = EXAMPLES / "bear.obj", EXAMPLES / "bear_no_ears_posed.obj"
+    programs.run("quadmatch", "match", *pair, "--image", IMAGES / "bears.png", "--image-size", "880x440", "--quiet")
+    programs.run("quadmatch", "match", *pair, "--algorithm", "lazy-greedy", "--animation", IMAGES / "bears.webp",
+                 "--image-size", "640x320", "--quiet")
+
+
+FIRE = {"waiting": "#dcdcd6", "front": "#ffd23c", "right": "#7fb3d5", "wrong": UNMATCHED}
+FIRE_MILLISECONDS, LAST_MILLISECONDS = 320, 3000
+
+
+def burned(programs, source, target, truth, algorithm):
+    """M2 after each wave: what state each face is in."""
+    region = programs.match(source, target, "--algorithm", algorithm, "--waves")["regions"][0]
+    states, state, begin = [], {}, 0
+    for end in region["waves"]:
+        front = region["faces"][begin:end]
+        states.append(state | {g: "front" for _, g, _ in front})
+        state = state | {g: "right" if truth.get((f, g)) == r else "wrong" for f, g, r in front}
+        begin = end
+    return [*states, state]
+
+
+def draw_fire(programs):
+    """Figs. 4.3 and 4.5, wave by wave: greedy's cascade beside lazy-greedy's containment."""
+    source, target = EXAMPLES / "fig_4_1.obj", EXAMPLES / "fig_4_2.obj"
+    truth = programs.truth("fig_4_2")
+    growth = {name: burned(programs, source, target, truth, name) for name in ("greedy", "lazy-greedy")}
+    pictures = []
+    for wave in range(max(len(states) for states in growth.values())):
+        figure, both = panels(2, 8, 4)
+        for panel, (name, states) in zip(both, growth.items()):
+            state = states[min(wave, len(states) - 1)]
+            picture = Picture(Mesh(target), view(0, 0))
+            picture.add_faces(lambda face, state=state: FIRE[state.get(face, "waiting")], both_sides=True)
+            wrong = sum(word == "wrong" for word in state.values())
+            picture.paint(panel, f"{name}: {len(state)} quads" + (f", {wrong} of them wrong" if wrong else ""))
+        pictures.append(drawn(figure, dpi=80))
+    durations = [FIRE_MILLISECONDS] * (len(pictures) - 1) + [LAST_MILLISECONDS]
+    pictures[0].save(IMAGES / "fire.webp", save_all=True, append_images=pictures[1:], duration=durations, loop=0,
+                     lossless=True, method=4)
 
 
 def draw_regions(programs):
@@ -183,15 +221,18 @@ def draw_diff(programs):
     save(figure, IMAGES / "diff.png")
 
 
-PICTURES = [draw_symmetry, draw_transfer, draw_bears, draw_skeletons, draw_waves, draw_regions, draw_seam, draw_merge, draw_diff]
+PICTURES = [draw_symmetry, draw_transfer, draw_bears, draw_fire, draw_skeletons, draw_waves, draw_regions, draw_seam, draw_merge, draw_diff]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--only", nargs="*", metavar="NAME", help="of these pictures, such as bears and fire")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         for draw in PICTURES:
+            if options.only and draw.__name__.removeprefix("draw_") not in options.only:
+                continue
             draw(Programs(options.build.resolve(), pathlib.Path(folder)))
 
 

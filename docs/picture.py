@@ -138,6 +138,12 @@ class Programs:
         command = [str(self.build / "quadmatch"), "diff", str(source), str(target), "--json"]
         return json.loads(subprocess.run(command, check=False, cwd=ROOT, capture_output=True).stdout)
 
+    def truth(self, name):
+        """Of a figure that is another one edited: the true pairs of faces, and how each is turned."""
+        path = self.folder / "truth.json"
+        self.run("make_shape", name, self.folder / "truth.obj", "--truth", path)
+        return {(f, g): r for f, g, r in json.loads(path.read_text(encoding="utf-8"))["exact"]}
+
     def skeleton(self, mesh, *more):
         path = self.folder / "lines.obj"
         self.run("quadmatch", "skeleton", mesh, "-o", path, "--quiet", *more)
@@ -155,15 +161,19 @@ def panels(count, width, height):
     return figure, found[0]
 
 
-def save(figure, path):
-    """As PNG of 256 colours, the rare ones too: half the size."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    drawn = io.BytesIO()
-    figure.savefig(drawn, dpi=110, format="png")
+def drawn(figure, dpi=110):
+    """A figure as a picture of 256 colours, the rare ones too."""
+    bytes_of = io.BytesIO()
+    figure.savefig(bytes_of, dpi=dpi, format="png")
     matplotlib.pyplot.close(figure)
-    picture = PIL.Image.open(drawn).convert("RGB")
-    picture = picture.quantize(256, PIL.Image.Quantize.MAXCOVERAGE, dither=PIL.Image.Dither.NONE)
-    picture.save(path, optimize=True)
+    picture = PIL.Image.open(bytes_of).convert("RGB")
+    return picture.quantize(256, PIL.Image.Quantize.MAXCOVERAGE, dither=PIL.Image.Dither.NONE)
+
+
+def save(figure, path):
+    """As PNG; 256 colours make it half the size."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    drawn(figure).save(path, optimize=True)
 
 
 def ends_of(lines):
