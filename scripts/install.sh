@@ -4,7 +4,7 @@
 set -euo pipefail
 
 declare -A sets=(
-  [core]="g++ cmake ninja-build libcli11-dev libfmt-dev nlohmann-json3-dev libxxhash-dev libeigen3-dev libboost-dev libsqlite3-dev libcsv-dev libtbb-dev"
+  [core]="g++ cmake ninja-build libcli11-dev libfmt-dev nlohmann-json3-dev libxxhash-dev libeigen3-dev libboost-dev libsqlite3-dev libcsv-dev libtbb-dev libembree-dev libpng-dev libwebp-dev"
   [tests]="doctest-dev libtinyobjloader-dev libbliss-dev libgmp-dev git python3"
   [python]="pybind11-dev python3-dev python3-venv python3-pip python3-setuptools python3-wheel python3-pybind11 python3-numpy python3-pytest python3-hypothesis python3-meshio mypy"
   [blender]="blender python3-numpy libegl1 libgl1-mesa-dri xvfb"
@@ -12,7 +12,7 @@ declare -A sets=(
   [quality]="clang-14 clang-format-14 clang-tidy-16 libclang-rt-14-dev"
   [browser]="clang-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc"
   [viewer]="nodejs npm"
-  [web]="chromium"
+  [web]="chromium ffmpeg"
   [cluster]="slurm-wlm munge python3 python3-dask python3-distributed"
   [docs]="mkdocs-material python3-matplotlib"
 )

@@ -255,7 +255,7 @@ def page(raw):
                    "on both quads of a candidate; lines are the edges of the compatibility graph L. The component that is "
                    f"taken next is orange. The sizes of all components: {', '.join(map(str, graph['components']))}; no "
                    f"candidate has more than {graph['most_neighbours']} neighbours in L.")
-    lines += shown("4.5", "fig_4_5.png", "Lazy-greedy on M2.")
+    lines += shown("4.5", "fig_4_5.png", "Lazy-greedy on M2. Both [wave by wave](../how-it-works.md).")
     lines += ["\nThe cascade in numbers:\n",
               table(["algorithm", "quads matched", "of them right", "true pairs there are"],
                     [[name, row["matched"], row["right"], row["of"]] for name, row in (("greedy", greedy), ("lazy-greedy", lazy))]),
