@@ -9,8 +9,6 @@ namespace quadmatch::picture {
 namespace {
 
 constexpr double kHalfFieldOfView = 15 * 3.14159265358979323846 / 180;
-/// The unit sphere fills the view at this distance.
-const double kDistance = 1.05 / std::sin(kHalfFieldOfView);
 
 Point unit(const Point& p) {
   const double length = std::sqrt(dot(p, p));
@@ -117,7 +115,9 @@ Camera::Camera(PictureView view, std::uint32_t width, std::uint32_t height)
     : back_(direction_of(view)), width_(width), height_(height) {
   right_ = unit(cross(upright_of(view), back_));
   up_ = cross(back_, right_);
-  eye_ = {kDistance * back_[0], kDistance * back_[1], kDistance * back_[2]};
+  // So far away that the unit sphere fills the view, and a little farther.
+  const double distance = 1.05 / std::sin(kHalfFieldOfView);
+  eye_ = {distance * back_[0], distance * back_[1], distance * back_[2]};
   // A narrow view shows as much as a square one.
   step_ = 2 * std::tan(kHalfFieldOfView) / std::min(width_, height_);
 }

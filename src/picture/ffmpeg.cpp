@@ -19,8 +19,6 @@
 
 #include "encode.hpp"
 
-extern char** environ;
-
 namespace quadmatch::picture {
 namespace {
 

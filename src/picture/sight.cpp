@@ -188,8 +188,9 @@ class Looker {
     std::array<Met, kRays> met;
     std::size_t count = 0;
     for (std::uint32_t ray = 0; ray < kRays; ++ray) {
-      const double at_x = x + (ray % kRaysAside + 0.5) / kRaysAside;
-      const double at_y = y + (ray / kRaysAside + 0.5) / kRaysAside;
+      const std::uint32_t column = ray % kRaysAside, row = ray / kRaysAside;
+      const double at_x = x + (column + 0.5) / kRaysAside;
+      const double at_y = y + (row + 0.5) / kRaysAside;
       const FaceId face = face_at(at_x, at_y);
       if (!face.valid()) continue;
       const auto end = met.begin() + static_cast<std::ptrdiff_t>(count);
