@@ -8,7 +8,7 @@ out=build/wasm
 engine=$out/quadmatch.wasm
 # Of the command line what turns options, matches and merges into words: the page says the same.
 words=(text dirt match_arguments match_report merge_report transfer_report)
-mapfile -t sources < <(git ls-files 'src/*.cpp' 'apps/page/*.cpp'; printf 'apps/quadmatch/%s.cpp\n' "${words[@]}")
+mapfile -t sources < <(git ls-files 'src/*.cpp' 'apps/page/*.cpp' ':!src/picture'; printf 'apps/quadmatch/%s.cpp\n' "${words[@]}")
 if [ -e $engine ] && [ -z "$(find src include apps/page apps/quadmatch CMakeLists.txt "$0" -type f -newer $engine -print -quit)" ]; then
   echo "$engine: $(stat -c %s $engine) bytes"
   exit 0
