@@ -44,7 +44,14 @@ class Page {
     document.getElementById("desk")!.append(this.desk.element);
     this.desk.showFiles(this.files);
     this.listenToDrops();
-    compiledEngine().catch((error: unknown) => this.desk.complain(`The engine cannot be started: ${String(error)}`));
+    this.warm().catch((error: unknown) => this.desk.complain(`The engine cannot be started: ${String(error)}`));
+  }
+
+  /** Get the engine ready while files are being looked for. */
+  private async warm(): Promise<void> {
+    const engine = await compiledEngine();
+    const [source, target] = await exampleFiles(EXAMPLES[0]);
+    if (this.begun === 0) this.work.warm({ kind: "match", engine, source, target, choices: [], mostFaces: MOST_FACES });
   }
 
   private listenToDrops(): void {

@@ -12,12 +12,29 @@ export function compiledEngine(): Promise<WebAssembly.Module> {
 
 export class Work {
   private worker: InstanceType<typeof Worker> | null = null;
+  private warming: InstanceType<typeof Worker> | null = null;
 
   constructor(private readonly heard: (reply: Reply) => void) {}
+
+  /**
+   * Do some work for nothing. A browser makes fast machine code of what has run for a while, for all workers at once; so
+   * the first match that counts does not wait for it.
+   */
+  warm(request: Request): void {
+    const worker = new Worker();
+    this.warming = worker;
+    const done = () => worker.terminate();
+    worker.onerror = done;
+    worker.onmessage = ({ data }: MessageEvent<Reply>) => {
+      if (data.kind === "report" || data.kind === "refused") done();
+    };
+    worker.postMessage(request);
+  }
 
   /** End whatever is going on, and begin with this. */
   begin(request: Request): void {
     this.end();
+    this.warming?.terminate();
     const worker = new Worker();
     this.worker = worker;
     // A worker that was ended may have said something that is still on its way.
