@@ -2,13 +2,15 @@
 // them.
 //
 // A function that may fail returns 1 or 0; what it came to, or why it failed, are the answers that stand until the next
-// call. Bytes handed in lie in memory from `reserve`, which each call takes back.
+// call. Texts handed in lie in memory from `reserve`, which each call takes back.
 
 #include <cstdint>
-#include <cstdlib>
 #include <new>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <quadmatch/io/file.hpp>
 
 #include "session.hpp"
 
@@ -38,13 +40,19 @@ std::vector<std::string>& answers() {
   return answers;
 }
 
+/// The file that is being handed in.
+FileBytes& incoming() {
+  static FileBytes bytes;
+  return bytes;
+}
+
 /// Bytes from `reserve`, given back in the end.
 class Given {
  public:
   Given(char* bytes, std::size_t size) : bytes_(bytes), size_(size) {}
   Given(const Given&) = delete;
   Given& operator=(const Given&) = delete;
-  ~Given() { std::free(bytes_); }
+  ~Given() { ::operator delete(bytes_); }
 
   [[nodiscard]] std::string_view view() const { return {bytes_, size_}; }
   [[nodiscard]] std::string text() const { return std::string(view()); }
@@ -73,12 +81,11 @@ int hand_out(Expected<Product> product) {
 
 extern "C" {
 
-/// Room for bytes to hand in; 0 where there is none.
-PAGE_EXPORT(reserve) char* page_reserve(std::size_t size) {
-  // Memory that runs out below is the end of this engine; the page says so.
-  std::set_new_handler(page_out_of_memory);
-  return static_cast<char*>(std::malloc(size + 1));
-}
+/// Memory that runs out below is the end of this engine; the page says so.
+PAGE_EXPORT(start) void page_start() { std::set_new_handler(page_out_of_memory); }
+
+/// Room for a text to hand in.
+PAGE_EXPORT(reserve) char* page_reserve(std::size_t size) { return static_cast<char*>(::operator new(size)); }
 
 PAGE_EXPORT(answer_count) std::size_t page_answer_count() { return answers().size(); }
 PAGE_EXPORT(answer_data) const char* page_answer_data(std::size_t index) { return answers()[index].data(); }
@@ -86,12 +93,17 @@ PAGE_EXPORT(answer_size) std::size_t page_answer_size(std::size_t index) { retur
 /// Forget the answers, which may be large.
 PAGE_EXPORT(forget) void page_forget() { answers() = {}; }
 
+/// Room for the bytes of a file, of which there is one at a time: `read` takes it. 0 where there is none.
+PAGE_EXPORT(reserve_file) char* page_reserve_file(std::size_t size) {
+  incoming() = {};
+  return incoming().resize(size) ? incoming().data() : nullptr;
+}
+
 /// Answers: warnings.
-PAGE_EXPORT(read)
-int page_read(std::uint32_t slot, char* name, std::size_t name_size, char* bytes, std::size_t size) {
-  const Given given_name(name, name_size), given_bytes(bytes, size);
-  Expected<std::vector<std::string>> warnings =
-      session().read(static_cast<Slot>(slot), given_bytes.view(), given_name.text());
+PAGE_EXPORT(read) int page_read(std::uint32_t slot, char* name, std::size_t name_size) {
+  const Given given_name(name, name_size);
+  const FileBytes bytes = std::exchange(incoming(), {});
+  Expected<std::vector<std::string>> warnings = session().read(static_cast<Slot>(slot), bytes, given_name.text());
   return warnings ? succeed(*std::move(warnings)) : fail(warnings.error());
 }
 

@@ -68,7 +68,7 @@ std::vector<std::pair<std::string, std::string>> program() { return {{"program",
 
 }  // namespace
 
-Expected<std::vector<std::string>> Session::read(Slot slot, std::string_view bytes, const std::string& name) {
+Expected<std::vector<std::string>> Session::read(Slot slot, const FileBytes& bytes, const std::string& name) {
   std::optional<MeshFile>& place = files_[static_cast<std::size_t>(slot)];
   place.reset();
   if (slot != Slot::Other) result_.reset();

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include <quadmatch/io/file.hpp>
 #include <quadmatch/io/mesh_file.hpp>
 #include <quadmatch/match/matcher.hpp>
 #include <quadmatch/mesh/expected.hpp>
@@ -43,7 +44,7 @@ class Session {
   /// Take a mesh in. @param name  of the file: tells its format, and stands in messages and in the match file.
   /// @return      what the command line would warn of, a sentence each.
   /// @par Errors  those of parse_mesh.
-  [[nodiscard]] Expected<std::vector<std::string>> read(Slot slot, std::string_view bytes, const std::string& name);
+  [[nodiscard]] Expected<std::vector<std::string>> read(Slot slot, const FileBytes& bytes, const std::string& name);
 
   /// Set an option by its name on the command line without the dashes: algorithm, orientation, positions (true, false),
   /// min-region, min-confidence, time-limit, prefer.

@@ -88,6 +88,10 @@ Expected<MeshFile> parse_mesh(std::string_view bytes, const std::string& name, s
   return read_bytes(FileBytes(bytes), name, format);
 }
 
+Expected<MeshFile> parse_mesh(const FileBytes& bytes, const std::string& name, std::optional<Format> format) {
+  return read_bytes(bytes, name, format);
+}
+
 namespace io {
 
 Unexpected<Error> empty_file(const std::string& name) {

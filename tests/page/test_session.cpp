@@ -31,7 +31,7 @@ std::string example(const std::string& name) {
 Session session() { return Session(page::Listener{}); }
 
 void read(Session& session, Slot slot, const std::string& bytes, const std::string& name) {
-  const Expected<std::vector<std::string>> warnings = session.read(slot, bytes, name);
+  const Expected<std::vector<std::string>> warnings = session.read(slot, FileBytes(bytes), name);
   REQUIRE_MESSAGE(warnings.has_value(), warnings.error().describe());
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("a time limit is for the exact search alone, and ends it") {
 TEST_CASE("a broken file is refused by name and line, and a mesh that was there is gone") {
   Session session = bears();
   const Expected<std::vector<std::string>> read =
-      session.read(Slot::Target, "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 9\n", "broken.obj");
+      session.read(Slot::Target, FileBytes("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 9\n"), "broken.obj");
   REQUIRE_FALSE(read.has_value());
   CHECK(read.error().describe().starts_with("broken.obj:4: "));
   CHECK_FALSE(session.match().has_value());
@@ -106,7 +106,7 @@ TEST_CASE("a broken file is refused by name and line, and a mesh that was there 
 TEST_CASE("what the reader guessed and what is dirty is told as by the command line") {
   Session session = ::session();
   const Expected<std::vector<std::string>> warnings =
-      session.read(Slot::Source, std::string(kQuad) + "v 9 9 9\n", "dirty.obj");
+      session.read(Slot::Source, FileBytes(std::string(kQuad) + "v 9 9 9\n"), "dirty.obj");
   REQUIRE(warnings.has_value());
   CHECK(*warnings == std::vector<std::string>{"dirty.obj: 1 unused vertex; matching goes on"});
 }

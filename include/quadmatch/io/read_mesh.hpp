@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include <quadmatch/io/file.hpp>
 #include <quadmatch/io/mesh_file.hpp>
 #include <quadmatch/mesh/expected.hpp>
 
@@ -22,6 +23,9 @@ namespace quadmatch {
 /// @param name    what errors call it, e.g. the path.
 /// @param format  told by the first bytes when absent.
 [[nodiscard]] Expected<MeshFile> parse_mesh(std::string_view bytes, const std::string& name,
+                                            std::optional<Format> format = std::nullopt);
+/// The same of bytes that are there as a reader wants them: without a copy.
+[[nodiscard]] Expected<MeshFile> parse_mesh(const FileBytes& bytes, const std::string& name,
                                             std::optional<Format> format = std::nullopt);
 
 /// The format that an ending (".obj") stands for.

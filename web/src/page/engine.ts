@@ -25,12 +25,14 @@ export class Lost extends Error {}
 interface Exports {
   memory: WebAssembly.Memory;
   _initialize(): void;
+  start(): void;
   reserve(size: number): number;
+  reserve_file(size: number): number;
   answer_count(): number;
   answer_data(index: number): number;
   answer_size(index: number): number;
   forget(): void;
-  read(slot: number, name: number, nameSize: number, bytes: number, size: number): number;
+  read(slot: number, name: number, nameSize: number): number;
   choose(name: number, nameSize: number, value: number, valueSize: number): number;
   match(): number;
   match_file(): number;
@@ -63,6 +65,7 @@ export class Engine {
     });
     exports = instance.exports as unknown as Exports;
     exports._initialize();
+    exports.start();
     return new Engine(guarded(exports, () => lastWords));
   }
 
@@ -75,14 +78,13 @@ export class Engine {
   async read(slot: Slot, name: string, source: ByteSource): Promise<string[]> {
     const tooLarge = () => new Refused(`${name}: the file does not fit into memory; split it`);
     if (source.size > MOST_BYTES) throw tooLarge();
-    const bytes = this.exports.reserve(source.size) >>> 0;
+    const bytes = this.exports.reserve_file(source.size) >>> 0;
     if (bytes === 0) throw tooLarge();
     for (let from = 0; from < source.size; from += PIECE) {
       const piece = await source.piece(from, Math.min(source.size, from + PIECE));
       new Uint8Array(this.exports.memory.buffer, bytes + from, piece.length).set(piece);
     }
-    const [at, size] = this.put(name);
-    return this.texts(this.exports.read(SLOTS.indexOf(slot), at, size, bytes, source.size));
+    return this.texts(this.exports.read(SLOTS.indexOf(slot), ...this.put(name)));
   }
 
   /** Set an option by its name on the command line without the dashes. */
