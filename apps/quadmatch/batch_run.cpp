@@ -59,6 +59,10 @@ Expected<std::vector<const Job*>> jobs_to_do(const JobList& list, const BatchOpt
   for (const Job& job : list.jobs) {
     if (!options.shard.has(job.number)) continue;
     ++counts.jobs;
+    if (*last == 0) {  // a new folder: there is nothing to look for
+      to_do.push_back(&job);
+      continue;
+    }
     const Expected<std::optional<PairRow>> row = earlier_result(job, list, options.retry, store);
     if (!row) return Unexpected(row.error());
     if (*row) {

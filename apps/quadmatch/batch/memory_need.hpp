@@ -21,8 +21,8 @@ struct MeshSize {
 /// @par Cost    one pass over the bytes, 64 kB in memory; PLY: its header only.
 [[nodiscard]] Expected<MeshSize> measure_mesh_file(const std::string& path);
 
-/// Bytes that matching two meshes takes at most, with what is read and written: from above on all that docs/results.md
-/// measures, several times too much for meshes that are the same.
+/// Bytes that matching two meshes takes at most, with what is read and written: from above on all that `bench/run.py
+/// --only batch` measures, several times too much for meshes that are the same.
 [[nodiscard]] std::uint64_t needed_memory(const MeshSize& source, const MeshSize& target);
 
 }  // namespace quadmatch::cli
