@@ -1,12 +1,15 @@
 /** What stands above the report: places for files, options, progress, and what can be saved. It shows, and says what was
  *  asked for; page.ts knows what to do. */
-import { button, element } from "../panel/dom";
+import { button, element, grouped } from "../panel/dom";
 import type { Slot } from "./engine";
 import { SLOTS } from "./engine";
 import { EXAMPLES } from "./examples";
 import type { Files } from "./files";
 import { endingOf } from "./files";
 import type { Choice } from "./messages";
+
+/** More faces than these of one mesh are not drawn: without a graphics card it would take seconds a picture. */
+export const MOST_FACES = 100_000;
 
 export type SaveKind = "match file" | "transfer" | "merge";
 
@@ -25,6 +28,9 @@ const TITLES: Record<Slot, string> = {
   other: "Another edit of the source, to merge with the target",
 };
 const FORMATS = ["obj", "ply", "off", "usda"];
+const LARGE_FILES =
+  `Meshes of a million faces and more are matched in full. Of one of more than ${grouped(MOST_FACES)} faces the picture shows fewer. ` +
+  "A browser gives a page 4 GB of memory at most; where that is too little, the page says so, and the command line does it.";
 const ACCEPTED = ".obj,.ply,.off,.usda,.usd";
 
 function select(id: string, label: string, values: readonly string[]): HTMLElement {
@@ -68,6 +74,7 @@ export class Desk {
       element("div", { class: "slots" }, ...SLOTS.map((slot) => this.makeSlot(slot))),
       element("div", { class: "row" }, this.start, this.cancel, this.swap, this.makeExamples()),
       this.makeOptions(),
+      element("details", {}, element("summary", {}, "Large files"), element("p", {}, LARGE_FILES)),
       element("div", { class: "row" }, this.bar, this.status),
       this.trouble,
       this.warnings,

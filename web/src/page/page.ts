@@ -4,16 +4,13 @@ import "./page.css";
 import { App } from "../app";
 import type { Report } from "../data/report";
 import type { SaveKind } from "./desk";
-import { Desk } from "./desk";
+import { Desk, MOST_FACES } from "./desk";
 import type { Slot } from "./engine";
 import { EXAMPLES, exampleFiles } from "./examples";
 import type { Files } from "./files";
 import { dropped, stemOf } from "./files";
 import type { Reply } from "./messages";
 import { compiledEngine, Work } from "./work";
-
-/** More faces than these of one mesh are not drawn: without a graphics card it would take seconds a picture. */
-const MOST_FACES = 100_000;
 
 declare global {
   interface Window {
