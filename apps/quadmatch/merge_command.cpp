@@ -209,10 +209,10 @@ MergeSummary summarize(const MergeArguments& arguments, const Inputs& inputs, co
 
 /// The page and the picture, as far as they were asked for: the base beside the result, matched anew.
 bool write_views(const MergeArguments& arguments, const Inputs& inputs, const Match& to_ours, const Match& to_theirs,
-                 const Merged& merged, MergeSummary& summary) {
+                 Merged& merged, MergeSummary& summary) {
   if (arguments.page.empty() && !arguments.pictures.any()) return true;
-  MeshFile result = merged.file;
-  result.path = arguments.output;
+  MeshFile& result = merged.file;
+  result.path = arguments.output == "-" ? "standard output" : arguments.output;
   MatchOptions options;
   options.positions = !arguments.no_positions;
   const Match match = match_side(inputs.base.mesh, result.mesh, options);

@@ -124,7 +124,7 @@ std::string sentence_of(const std::vector<FaceId>& area, const char* mesh) {
 
 ReportText report_text(const MergeSummary& summary, const Mesh& base, const Mesh& result,
                        const std::vector<InThree<FaceId>>& origins, const Match& to_ours, const Match& to_theirs) {
-  ReportText text{.title = report_title(summary.base, summary.output),
+  ReportText text{.title = report_title(summary.base, summary.output == "-" ? "standard output" : summary.output),
                   .program = "quadmatch " QUADMATCH_VERSION,
                   .figures = figures_of(summary)};
   add_conflicts(text.changes, summary.report, base, result);
