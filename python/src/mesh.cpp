@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <optional>
 #include <span>
@@ -68,9 +67,9 @@ Expected<std::vector<Point>> points_of(std::span<const double> numbers) {
                               "positions",
                               (wrong - numbers.begin()) / 3));
   }
-  std::vector<Point> points(numbers.size() / 3);
-  std::memcpy(points.data(), numbers.data(), numbers.size_bytes());
-  return points;
+  // Three numbers in a row are a point; a vector that is made of them is not filled with zeros before.
+  const Point* const first = reinterpret_cast<const Point*>(numbers.data());
+  return std::vector<Point>(first, first + numbers.size() / 3);
 }
 
 /// Where the faces start, as 32-bit numbers.

@@ -20,7 +20,11 @@ class Finder {
       first_key_[static_cast<std::size_t>(side)] = vertices;
       vertices += mesh_of(meshes, side).vertex_count();
     }
-    keys_ = vertices;
+    key_count_ = vertices;
+    keys_.reserve(cells.corners.size());
+    for (const InThree<HalfedgeId>& corner : cells.corners) {
+      keys_.push_back({key(corner, Side::Base), key(corner, Side::Ours), key(corner, Side::Theirs)});
+    }
   }
 
   Junctions run() {
@@ -36,44 +40,50 @@ class Finder {
   }
 
  private:
+  using Keys = std::array<std::uint32_t, 3>;
+
   /// The vertex at a corner, as a number of its own among the vertices of all three; kNone where the mesh has no such
   /// cell.
-  [[nodiscard]] std::uint32_t key(std::uint32_t corner, Side side) const {
-    const HalfedgeId h = cells_.corners[corner][side];
+  [[nodiscard]] std::uint32_t key(const InThree<HalfedgeId>& corner, Side side) const {
+    const HalfedgeId h = corner[side];
     if (!h.valid()) return kNone;
     return first_key_[static_cast<std::size_t>(side)] + mesh_of(meshes_, side).origin(h).value;
   }
 
   void gather() {
-    DisjointSets sets(keys_);
-    for (std::uint32_t c = 0; c < cells_.corners.size(); ++c) {
+    DisjointSets sets(key_count_);
+    std::vector<std::uint32_t> joined(key_count_, kNone);  // what a vertex was joined to last: mostly to the same
+    for (const Keys& corner : keys_) {
       std::uint32_t last = kNone;
-      for (const Side side : kSides) {
-        const std::uint32_t here = key(c, side);
-        if (here != kNone && last != kNone) sets.join(here, last);
-        if (here != kNone) last = here;
+      for (const std::uint32_t here : corner) {
+        if (here == kNone) continue;
+        if (last != kNone && joined[here] != last) sets.join(here, last);
+        joined[here] = last;
+        last = here;
       }
     }
-    std::vector<std::uint32_t> number(keys_, kNone);
-    found_.of_corner.reserve(cells_.corners.size());
-    for (std::uint32_t c = 0; c < cells_.corners.size(); ++c) {
-      std::uint32_t any = kNone;
-      for (const Side side : kSides) any = std::min(any, key(c, side));
-      std::uint32_t& junction = number[sets.find(any)];
-      if (junction == kNone) {
-        junction = static_cast<std::uint32_t>(found_.list.size());
-        found_.list.emplace_back();
+    std::vector<std::uint32_t> number(key_count_, kNone);
+    found_.of_corner.reserve(keys_.size());
+    for (const Keys& corner : keys_) {
+      const std::uint32_t any = *std::min_element(corner.begin(), corner.end());
+      if (number[any] == kNone) {  // else the vertex was met before
+        std::uint32_t& junction = number[sets.find(any)];
+        if (junction == kNone) {
+          junction = static_cast<std::uint32_t>(found_.list.size());
+          found_.list.emplace_back();
+        }
+        number[any] = junction;
       }
-      found_.of_corner.push_back(junction);
+      found_.of_corner.push_back(number[any]);
     }
   }
 
   /// A junction is the same in two meshes if the same corners are there, joined in the same way: the vertices at them
   /// correspond one to one.
   void mark_differences(Side one, Side another, bool Junction::*flag) {
-    std::vector<std::uint32_t> partner(keys_, kNone);
-    for (std::uint32_t c = 0; c < cells_.corners.size(); ++c) {
-      const std::uint32_t a = key(c, one), b = key(c, another);
+    std::vector<std::uint32_t> partner(key_count_, kNone);
+    for (std::size_t c = 0; c < keys_.size(); ++c) {
+      const std::uint32_t a = keys_[c][static_cast<std::size_t>(one)], b = keys_[c][static_cast<std::size_t>(another)];
       if (a == kNone && b == kNone) continue;
       bool same = a != kNone && b != kNone;
       if (same) {
@@ -137,7 +147,8 @@ class Finder {
   const Cells& cells_;
   Side preferred_;
   std::array<std::uint32_t, 3> first_key_ = {};
-  std::uint32_t keys_ = 0;
+  std::uint32_t key_count_ = 0;
+  std::vector<Keys> keys_;  ///< of each corner
   Junctions found_;
   DisjointSets areas_;
   std::vector<std::uint32_t> conflicts_;  ///< junctions

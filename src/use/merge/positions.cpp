@@ -22,9 +22,10 @@ class Displacement {
     for (std::uint32_t c = 0; c < cells.corners.size(); ++c) {
       const InThree<HalfedgeId>& corner = cells.corners[c];
       const bool in_all = corner[Side::Base].valid() && corner[Side::Ours].valid() && corner[Side::Theirs].valid();
-      if (!in_all || junctions.at(c).in_conflict() || held[junctions.of_corner[c]] != 0) continue;
+      if (!in_all) continue;
       const VertexId v = mesh_.origin(corner[side]);
-      if (moves_.known[v.value] != 0) continue;
+      if (moves_.known[v.value] != 0) continue;  // by another corner
+      if (junctions.at(c).in_conflict() || held[junctions.of_corner[c]] != 0) continue;
       moves_.known[v.value] = 1;
       const Point& before = base.positions()[base.origin(corner[Side::Base]).value];
       const Point& after = mover.positions()[mover.origin(corner[other(side)]).value];
