@@ -49,8 +49,9 @@ TRIED = {
         "is symmetric by rotation: bent and with a patch lifted, one copy got a mirror that is none of the model's. Tried: growth "
         "from the centre line, pairs of rows laid across the edit, giving up what a mirror lays on its own side.",
     "match from Python":
-        "*Python.* The time beyond the library's own goes mostly into verifying every match before the caller sees it, and into "
-        "taking in the arrays. Tried: arrays checked in one pass and copied in another.",
+        "*Python.* The time beyond the library's own goes mostly into verifying every match before the caller sees it, which the "
+        "library's time is without. Tried: a verifier three times as fast; arrays taken in several numbers at a time; memory kept "
+        "from match to match.",
 }
 
 

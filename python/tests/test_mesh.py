@@ -61,6 +61,14 @@ def test_arrays_of_a_mesh_are_views_read_only_and_outlive_it():
     assert (kept == grid(2, 2)[0]).all()
 
 
+def test_positions_may_be_any_finite_numbers():
+    extreme = np.array([np.finfo(float).max, -np.finfo(float).max, 5e-324, -0.0, 1.0, -1.0]).reshape(2, 3)
+    assert (quadmatch.Mesh(extreme, [[0, 1, 0]]).vertices == extreme).all()
+    for wrong in (np.nan, np.inf, -np.inf, -np.nan):
+        with pytest.raises(ValueError, match="vertex v1 is not a finite number"):
+            quadmatch.Mesh([[0, 0, 0], [0, wrong, 0]], [[0, 1, 0]])
+
+
 def test_data_of_vertices_faces_and_corners_survive_a_file(tmp_path):
     vertices, faces = grid(2, 2)
     weight, part = np.linspace(0, 1, 9), np.array([3, 1, 4, 1])
