@@ -65,6 +65,12 @@ class Match(Case):
         self.assertIn("Source: 300 unmatched faces hidden, so not selected", lines)
         self.assertEqual(self.selected(self.source).sum(), 0)
 
+    def test_hidden_faces_of_a_hidden_object_stay_unselected_too(self):
+        self.source.data.polygons.foreach_set("hide", np.ones(2944, bool))
+        self.source.hide_set(True)
+        self.call(bpy.ops.quadmatch.match)
+        self.assertEqual(scene.numbers(self.source.data.polygons, "select", 1, bool).sum(), 0)
+
     def test_a_hidden_object_is_matched_and_not_opened(self):
         self.source.hide_set(True)
         lines = self.call(bpy.ops.quadmatch.match)

@@ -1,9 +1,14 @@
 """Mirror Map and Symmetrize, on the bear at rest and posed."""
+import dataclasses
+
 import bpy
 import numpy as np
 
 import scene
 from case import Case
+from quadmatch_addon import engine
+from quadmatch_addon.mesh_arrays import arrays_of
+from quadmatch_addon.sides import sides_of_faces
 
 
 class Mirror(Case):
@@ -97,6 +102,20 @@ class Mirror(Case):
         self.settings.symmetrize_positions, self.settings.symmetrize_groups, self.settings.symmetrize_selection = False, False, True
         self.call(bpy.ops.quadmatch.symmetrize)
         self.assertEqual(set(np.flatnonzero(scene.numbers(self.bear.data.vertices, "select", 1, bool))), {vertex, int(partner[vertex])})
+
+    def test_a_hand_that_reaches_across_the_middle_stays_on_its_side(self):
+        self.open("bear.obj")
+        arrays = arrays_of(self.bear.data, edges=True)
+        mirror = engine.symmetry(arrays, "Bear", True, lambda matched, most: True)
+        at_rest = sides_of_faces(arrays, mirror, "+x")
+        self.assertGreater((at_rest == np.sign(arrays.centres[:, 0])).mean(), 0.9)
+        across = arrays.positions.copy()
+        hand = across[:, 0] > 0.9 * across[:, 0].max()
+        across[hand, 0] -= np.float32(1.5) * across[:, 0].max()
+        posed = dataclasses.replace(arrays, positions=across)
+        self.assertGreater((posed.centres[at_rest > 0, 0] < -0.1).sum(), 20)
+        np.testing.assert_array_equal(sides_of_faces(posed, mirror, "+x"), at_rest)
+        np.testing.assert_array_equal(sides_of_faces(posed, mirror, "-x"), -at_rest)
 
     def test_positions_of_a_posed_model_are_refused(self):
         self.open("bear_posed.obj")

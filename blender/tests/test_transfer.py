@@ -243,6 +243,43 @@ class Kinds(Case):
         self.pick(self.source, target)
         self.assertRefused(bpy.ops.quadmatch.transfer, "no part is the same beyond doubt", target)
 
+    def test_a_target_that_was_edited_since_the_last_match_is_matched_anew(self):
+        self.source.vertex_groups.new(name="Arm").add([5], 0.5, "REPLACE")
+        target = copy_of(self.source, "Target")
+        self.transfer(target, "groups")
+        number = np.arange(len(self.basis))[::-1]
+        other = copy_of(self.source, "Other", number=number)
+        target.data = other.data
+        bpy.data.objects.remove(other)
+        self.transfer(target, "groups")
+        self.assertEqual(np.flatnonzero(~np.isnan(scene.weights(target, "Arm"))).tolist(), [int(number[5])])
+
+    def test_other_options_make_another_match(self):
+        self.source.vertex_groups.new(name="Arm").add([5], 0.5, "REPLACE")
+        target = copy_of(self.source, "Target")
+        self.assertIn("2,944 of", self.transfer(target, "groups")[0])
+        self.settings.orientation = "reversing"
+        self.assertNotIn("2,944 of", self.transfer(target, "groups")[0])
+
+    def test_a_mirrored_copy_takes_seams_and_corners_the_other_way_round(self):
+        self.settings.orientation = "reversing"
+        mesh = self.source.data
+        mesh.edges.foreach_set("use_seam", np.arange(len(mesh.edges)) % 3 == 0)
+        layer = mesh.uv_layers.new(name="Layout", do_init=False)
+        vertex = scene.numbers(mesh.loops, "vertex_index", 1, np.int32)
+        face = np.repeat(np.arange(len(mesh.polygons)), 4)
+        layer.data.foreach_set("uv", np.stack([vertex, face], axis=1).astype(np.float32).ravel())
+        target = copy_of(self.source, "Target", self.basis * np.float32([-1, 1, 1]), turned=True)
+        self.transfer(target, "uv", "edges")
+        there = scene.numbers(target.data.uv_layers["Layout"].data, "uv", 2)
+        np.testing.assert_array_equal(there[:, 0], scene.numbers(target.data.loops, "vertex_index", 1, np.int32))
+        np.testing.assert_array_equal(there[:, 1], face)
+        self.assertEqual(self.seams(target), self.seams(self.source))
+
+    @staticmethod
+    def seams(obj):
+        return {frozenset(edge.vertices) for edge in obj.data.edges if edge.use_seam}
+
     def test_faces_of_any_size_take_their_corners_along(self):
         self.source, target = scene.mixed_pair()
         layer = self.source.data.uv_layers.new(name="Layout", do_init=False)
