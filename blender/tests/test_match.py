@@ -123,6 +123,13 @@ class Work(Case):
         with self.assertRaises(Cancelled):
             task.outcome()
 
+    def test_esc_counts_even_after_the_work_has_ended(self):
+        task = work.Task(lambda progress: "done")
+        task._thread.join()
+        task.cancel()
+        with self.assertRaises(Cancelled):
+            task.outcome()
+
     def test_what_it_computes_and_how_far_it_is_can_be_seen_from_outside(self):
         task = work.Task(lambda progress: progress(3, 4) and "done")
         task._thread.join()

@@ -111,7 +111,7 @@ class Mirror(Case):
         self.assertGreater((at_rest == np.sign(arrays.centres[:, 0])).mean(), 0.9)
         across = arrays.positions.copy()
         hand = across[:, 0] > 0.9 * across[:, 0].max()
-        across[hand, 0] -= np.float32(1.5) * across[:, 0].max()
+        across[hand, 0] -= np.float32(2.5) * across[:, 0].max()  # farther than the other hand
         posed = dataclasses.replace(arrays, positions=across)
         self.assertGreater((posed.centres[at_rest > 0, 0] < -0.1).sum(), 20)
         np.testing.assert_array_equal(sides_of_faces(posed, mirror, "+x"), at_rest)
