@@ -55,7 +55,7 @@ export class Desk {
   private readonly swap: HTMLButtonElement;
   private readonly results = element("div", { class: "row", id: "results", hidden: true });
   private readonly merge = element("span", { class: "row" });
-  private readonly summary = element("pre", { id: "summary", tabindex: "0", hidden: true });
+  private readonly summary = element("pre", { id: "summary", tabindex: "0", "aria-label": "What was done", hidden: true });
 
   constructor(private readonly events: DeskEvents) {
     this.start = button("Match", { id: "start", disabled: true }, () => events.start());
