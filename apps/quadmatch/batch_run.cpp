@@ -15,7 +15,9 @@
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include "batch/at_work.hpp"
 #include "batch_pair.hpp"
+#include "batch_probe.hpp"
 #include "console.hpp"
 #include "text.hpp"
 
@@ -102,9 +104,38 @@ class Watch {
   Clock::time_point logged_ = began_;
 };
 
+/// Two runs that ended at the same job are no chance any more: such a job is tried in a process of its own, and where
+/// it brings that down as well it has failed. The rest is left in `jobs`.
+Expected<void> try_suspects(std::vector<const Job*>& jobs, const JobList& list, const BatchOptions& options,
+                            ResultStore& store, AtWork& at_work, BatchCounts& counts) {
+  constexpr std::uint32_t kSuspicious = 2;
+  std::vector<const Job*> sound;
+  for (const Job* job : jobs) {
+    if (at_work.ends(job->number) < kSuspicious) {
+      sound.push_back(job);
+      continue;
+    }
+    at_work.begin(job->number);
+    const std::optional<std::string> fault = probe_job(*job, list, options.memory);
+    if (!fault) {
+      at_work.end(job->number);
+      sound.push_back(job);
+      continue;
+    }
+    PairRow row = row_of(*job);
+    row.status = status::kFailed;
+    row.error = *fault;
+    if (Expected<void> kept = store.record(row); !kept) return kept;
+    at_work.end(job->number);
+    counts.add(row);
+  }
+  jobs = std::move(sound);
+  return {};
+}
+
 /// Do jobs and record them. @return the first error of the store; what was recorded until then stays.
 Expected<void> run_pipeline(const std::vector<const Job*>& jobs, const JobList& list, const BatchOptions& options,
-                            ResultStore& store, BatchCounts& counts) {
+                            ResultStore& store, AtWork& at_work, BatchCounts& counts) {
   MemoryGate gate(options.memory);
   Watch watch(options, counts);
   Expected<void> outcome;
@@ -115,7 +146,10 @@ Expected<void> run_pipeline(const std::vector<const Job*>& jobs, const JobList& 
     flow.stop();
     return 0;
   };
-  const auto work = [&](std::size_t job) { return do_job(*jobs[job], list, gate); };
+  const auto work = [&](std::size_t job) {
+    at_work.begin(jobs[job]->number);
+    return do_job(*jobs[job], list, gate);
+  };
   const auto record = [&](const PairRow& row) {
     if (stop) return;
     if (Expected<void> kept = store.record(row); !kept) {
@@ -123,6 +157,7 @@ Expected<void> run_pipeline(const std::vector<const Job*>& jobs, const JobList& 
       stop = true;
       return;
     }
+    at_work.end(row.job);
     counts.add(row);
     watch.one_more();
   };
@@ -165,11 +200,18 @@ void BatchCounts::add(const PairRow& row) {
 
 Expected<BatchCounts> run_batch(const JobList& list, const BatchOptions& options, ResultStore& store) {
   BatchCounts counts;
-  const Expected<std::vector<const Job*>> jobs = jobs_to_do(list, options, store, counts);
+  Expected<std::vector<const Job*>> jobs = jobs_to_do(list, options, store, counts);
   if (!jobs) return Unexpected(jobs.error());
+  const Expected<std::unique_ptr<AtWork>> at_work = AtWork::open(store.folder());
+  if (!at_work) return Unexpected(at_work.error());
   const BatchAbout about{"quadmatch " QUADMATCH_VERSION, list.path, list.hash, list.jobs.size(), "batch"};
   if (Expected<void> kept = store.set_about(about); !kept) return Unexpected(kept.error());
-  if (Expected<void> done = run_pipeline(*jobs, list, options, store, counts); !done) return Unexpected(done.error());
+  if (Expected<void> tried = try_suspects(*jobs, list, options, store, **at_work, counts); !tried) {
+    return Unexpected(tried.error());
+  }
+  if (Expected<void> done = run_pipeline(*jobs, list, options, store, **at_work, counts); !done) {
+    return Unexpected(done.error());
+  }
   if (Expected<void> finished = store.finish(); !finished) return Unexpected(finished.error());
   return counts;
 }

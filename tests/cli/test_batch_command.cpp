@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <csignal>
 #include <memory>
 #include <sstream>
 
@@ -315,6 +316,23 @@ TEST_CASE("where there is no room for the database, the run ends with a hint, an
   CHECK(contains(full.err, "run the same command again, which goes on from here"));
   CHECK(folder.run({"batch", "jobs.csv", "-o", "R"}).status == 0);
   CHECK(lines_of(folder).size() == 60);
+}
+
+TEST_CASE("a pair that brings the whole program down ends two runs, and is recorded as failed by the third") {
+  const Folder folder;
+  write_pairs(folder);
+  folder.write("big.obj", shapes::sphere(60));
+  folder.write("jobs.csv", "source,target,output\na.obj,b.obj,\nbig.obj,big.obj,big.json\nb.obj,c.obj,\n");
+  // The match file is larger than a file may be, and the system ends who writes it.
+  const std::string script = "ulimit -f 400; exec \"$QUADMATCH\" batch jobs.csv -o R --threads 1";
+  CHECK(folder.shell(script).status == 128 + SIGXFSZ);
+  CHECK(folder.shell(script).status == 128 + SIGXFSZ);
+  const Outcome third = folder.shell(script);
+  CHECK(third.status == 1);
+  CHECK(contains(third.out, "done     1 matched, 1 with nothing in common, 1 failed\n"));
+  CHECK(contains(lines_of(folder).at(1)["error"].get<std::string>(), "the program is ended by signal 25 ("));
+  CHECK(folder.run({"batch", "jobs.csv", "-o", "R", "--retry"}).status == 0);
+  CHECK(lines_of(folder).at(1)["status"] == "matched");
 }
 
 TEST_CASE("a database of another version, of something else, or none at all is left as it is") {

@@ -58,6 +58,7 @@ class ResultStore {
   /// Leave one plain file that can be copied, and write the JSON Lines.
   [[nodiscard]] Expected<void> finish();
 
+  [[nodiscard]] const std::string& folder() const { return folder_; }
   [[nodiscard]] std::string database_path() const { return in_folder("results.sqlite"); }
   [[nodiscard]] std::string lines_path() const { return in_folder("results.jsonl"); }
 
