@@ -344,3 +344,29 @@ TEST_CASE("a report of 20,000 quads a side is at most 2 MB, in whatever order th
   }
   CHECK(format_report(source, target, match, {}).size() <= 2'000'000);
 }
+
+TEST_CASE("faces fall into connected areas, each ascending, from the largest and then from the lowest face") {
+  const Mesh grid = build(shapes::grid(4, 3));  // rows of four
+  const auto numbers = [&](std::initializer_list<std::uint32_t> faces) {
+    std::vector<FaceId> wanted;
+    for (const std::uint32_t f : faces) wanted.emplace_back(f);
+    std::vector<std::vector<std::uint32_t>> areas;
+    for (const std::vector<FaceId>& area : connected_areas(grid, wanted)) {
+      areas.emplace_back();
+      for (const FaceId face : area) areas.back().push_back(face.value);
+    }
+    return areas;
+  };
+  using Areas = std::vector<std::vector<std::uint32_t>>;
+  CHECK(numbers({}) == Areas{});
+  CHECK(numbers({11, 0, 5, 9, 3, 1}) == Areas{{0, 1, 5, 9}, {3}, {11}});  // 9 lies above 5, and corners do not join
+  CHECK(numbers({10, 0, 5}) == Areas{{0}, {5}, {10}});
+  CHECK(numbers({7, 7, 3}) == Areas{{3, 7}});
+}
+
+TEST_CASE("a report says whether it shows a mirror") {
+  MeshFile file{.mesh = build(shapes::cube())};
+  CHECK(read_back(format_report(file, file, {}, {.title = "a", .program = "b"})).header.at("mirror") == false);
+  CHECK(read_back(format_report(file, file, {}, {.title = "a", .program = "b", .mirror = true})).header.at("mirror") ==
+        true);
+}
