@@ -84,16 +84,23 @@ test("a merge is shown as the base beside the result: red what a side added, lis
 test("a mirror is shown as a mesh beside itself: pairs light up on both, the line is drawn, and red has no partner", async () => {
   const bear = join(EXAMPLES, "bear_posed.obj");
   const path = join(folder, "mirror.html");
-  run("quadmatch", "symmetry", bear, "-o", join(folder, "mirror.json"), "--report", path, "--quiet");
+  const figures = JSON.parse(run("quadmatch", "symmetry", bear, "-o", join(folder, "mirror.json"), "--report", path, "--json"));
   const map = JSON.parse(readFileSync(join(folder, "mirror.json"), "utf8"));
   const partner = partners(map, 0);
   const page = await open(browser, path);
   await drawn(page);
-  const edges = await page.evaluate(() => window.quadmatch.picture.panes.source.layers.get("seams")[0].geometry.getAttribute("position").count / 2);
-  // An edge of the line is seen from either of its faces.
-  assert.equal(edges, 2 * map.symmetry.centre_line.edges.length);
+  const missing = await page.evaluate((line) => {
+    const { points, layers } = window.quadmatch.picture.panes.source;
+    const name = (array, at) => Array.from(array.slice(at, at + 3)).join();
+    const drawn = layers.get("seams")[0].geometry.getAttribute("position").array;
+    const ends = new Set();
+    for (let at = 0; at < drawn.length; at += 6) ends.add(`${name(drawn, at)} ${name(drawn, at + 3)}`);
+    return line.filter(([v, w]) => !ends.has(`${name(points, 3 * v)} ${name(points, 3 * w)}`) && !ends.has(`${name(points, 3 * w)} ${name(points, 3 * v)}`));
+  }, map.symmetry.centre_line.edges);
+  assert.ok(map.symmetry.centre_line.edges.length > 90);
+  assert.deepEqual(missing, [], "edges of the line that are not drawn");
   assert.match(await page.locator("[data-change='0']").textContent(), /centre line/);
-  assert.equal(await page.locator("[data-change]").count(), 3);
+  assert.equal(await page.locator("[data-change]").count(), 1 + figures.unpaired_areas.length);
 
   let met = 0;
   for (const [x, y] of await places(page, "source", 8)) {
@@ -116,7 +123,7 @@ test("a mirror is shown as a mesh beside itself: pairs light up on both, the lin
   await drawn(page);
   for (const side of SIDES) {
     const { red, other } = await checkRed(page, side, (face) => partner.has(face));
-    assert.ok(red >= 8 && other > 400, `${side}: ${red} red places, ${other} others`);
+    assert.ok(red >= 3 && other > 400, `${side}: ${red} red places, ${other} others`);
   }
   assert.deepEqual(page.troubles, []);
   await page.close();
