@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
+#include <quadmatch/shapes/bear.hpp>
 #include <quadmatch/shapes/edit.hpp>
 #include <quadmatch/shapes/renumber.hpp>
 #include <quadmatch/shapes/shirt.hpp>
@@ -211,14 +212,13 @@ TEST_CASE("symmetry --report shows each side of the line as a region, and lists 
   for (const Json& region : regions) faces += region.at("faces").get<std::size_t>();
   CHECK(faces == faces_of(ball));
 
-  const Expected<shapes::Edit> edit = shapes::extrude_patch(ball, FaceId(5), 4, 0.02);
-  REQUIRE(edit.has_value());
-  folder.write("edited.obj", edit->soup);
-  const Outcome edited = folder.run({"symmetry", "edited.obj", "--report", "edited.html", "--json"});
-  CHECK(edited.status == 1);
-  const Json figures = Json::parse(edited.out);
-  CHECK(figures.at("report") == "edited.html");
-  const Json changes = header_of(folder.read("edited.html")).at("changes");
+  // A bear has a patch on one side of its belly.
+  folder.write("bear.obj", shapes::bear().soup);
+  const Outcome lopsided = folder.run({"symmetry", "bear.obj", "--report", "bear.html", "--json"});
+  CHECK(lopsided.status == 1);
+  const Json figures = Json::parse(lopsided.out);
+  CHECK(figures.at("report") == "bear.html");
+  const Json changes = header_of(folder.read("bear.html")).at("changes");
   CHECK(changes.size() == 1 + figures.at("unpaired_areas").size());
   CHECK(changes.at(1).at(0) == "no partner");
   CHECK(folder.run({"symmetry", "whole.obj", "--report", "whole.obj"}).status == 2);
