@@ -4,19 +4,18 @@
 #include <quadmatch/use/symmetry.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include <quadmatch/analysis/vertex_code.hpp>
-#include <quadmatch/match/matcher.hpp>
 #include <quadmatch/mesh/components.hpp>
 
+#include "image_match.hpp"
+#include "left_over.hpp"
 #include "mirror_map.hpp"
 #include "mirror_plane.hpp"
 #include "mirror_regions.hpp"
 #include "mirror_search.hpp"
 #include "one_sided.hpp"
-#include "part_mesh.hpp"
 
 namespace quadmatch {
 namespace use {
@@ -32,11 +31,6 @@ constexpr double kFarther = 1.05;
 constexpr std::size_t kMostGerms = 5;
 /// Rows of faces about an edit whose corners look different though they are opposite each other.
 constexpr int kRimLayers = 2;
-/// Rows of faces about what is left over that tell how it lies. With more, they count for more than it does.
-constexpr int kRowsAround = 2;
-/// Fewer faces that were cut off could lie anywhere.
-constexpr std::size_t kLeastIsland = 4;
-
 /// What a match with the mirror image says of one component.
 struct Tally {
   std::uint32_t faces = 0;
@@ -75,7 +69,8 @@ class SymmetryFinder {
 
   Symmetry run() {
     Symmetry symmetry;
-    const Match match = match_with_image(mesh_, mesh_, edge_ > 0 ? likely_plane(mesh_, edge_) : MirrorPlane());
+    const Match match =
+        match_with_image(mesh_, mesh_, edge_ > 0 ? likely_plane(mesh_, edge_) : MirrorPlane(), image_options());
     symmetry.complete = match.complete;
     const PerHalfedge<HalfedgeId> images = images_of(mesh_, mesh_, match.regions);
     const std::vector<Tally> tallies = tallied(match, images);
@@ -89,7 +84,7 @@ class SymmetryFinder {
       }
     }
     lay_believed(match, images);
-    if (symmetry.complete) lay_left_over();
+    if (symmetry.complete) LeftOver(mesh_, codes_, components_, settled_, image_options(), map_).lay();
     drop_one_sided();
     if (symmetry.mirrors == 0 && !components_.face_count.empty()) {
       symmetry.mirrors = laid_in(largest) > 0 ? 1 : 0;
@@ -100,16 +95,7 @@ class SymmetryFinder {
   }
 
  private:
-  /// A mesh on another, or itself, in a mirror: its faces turned over, and its positions mirrored too, so that a model
-  /// at rest lies on its image by a motion.
-  [[nodiscard]] Match match_with_image(const Mesh& mesh, const Mesh& other, const MirrorPlane& plane) const {
-    MatchOptions options;
-    options.orientation = OrientationChoice::Reversing;
-    options.positions = edge_ > 0;
-    options.progress = options_.progress;
-    return edge_ > 0 ? quadmatch::match(mesh, moved(other, plane), options).match
-                     : quadmatch::match(mesh, other, options).match;
-  }
+  [[nodiscard]] ImageOptions image_options() const { return {edge_ > 0, options_.progress}; }
 
   [[nodiscard]] std::uint32_t largest_component() const {
     const auto& counts = components_.face_count;
@@ -288,85 +274,6 @@ class SymmetryFinder {
     for (const Germ& germ : laid) {
       if (is_dropped[mesh_.face(germ.from)] == 0) map_.lay(germ, Fit::Free);
     }
-  }
-
-  /// What an edit cut off is a part of its own among the faces that are left, and so is what lies opposite: first on
-  /// the other side, told by what lies around, then anywhere.
-  void lay_left_over() {
-    const std::vector<FaceId> left = left_over();
-    if (left.empty() || 2 * left.size() > mesh_.face_count()) return;
-    const MirrorPlane plane = fit_plane(mesh_, pairs_laid()).value_or(MirrorPlane());
-    const PerFace<std::int8_t> sides =
-        sides_of(mesh_, components_, regions_of(mesh_, codes_, map_, [](FaceId) { return true; }));
-    std::vector<FaceId> in_front, behind;
-    for (const FaceId face : with_rows_around(left)) {
-      if (sides[face] != 0) (sides[face] > 0 ? in_front : behind).push_back(face);
-    }
-    lay_parts(PartMesh(mesh_, std::move(in_front)), PartMesh(mesh_, std::move(behind)), plane);
-    const PartMesh part(mesh_, left_over());
-    lay_parts(part, part, plane);
-  }
-
-  [[nodiscard]] std::vector<FaceId> left_over() const {
-    std::vector<FaceId> left;
-    for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
-      if (!map_.image(FaceId(f)).valid()) left.push_back(FaceId(f));
-    }
-    return left;
-  }
-
-  /// Faces and some rows around them, with what is laid opposite; ascending.
-  [[nodiscard]] std::vector<FaceId> with_rows_around(const std::vector<FaceId>& faces) const {
-    PerFace<std::uint8_t> seen(mesh_.face_count(), 0);
-    std::vector<FaceId> reached;
-    const auto reach = [&](FaceId face) {
-      if (!face.valid() || seen[face] != 0) return;
-      seen[face] = 1;
-      reached.push_back(face);
-    };
-    for (const FaceId face : faces) reach(face);
-    std::size_t here = 0;
-    for (int row = 0; row < kRowsAround; ++row) {
-      for (const std::size_t end = reached.size(); here < end; ++here) {
-        for (const HalfedgeId h : mesh_.halfedges(reached[here])) {
-          const HalfedgeId beside = mesh_.twin(h);
-          if (!beside.valid()) continue;
-          reach(mesh_.face(beside));
-          reach(map_.image(mesh_.face(beside)));
-        }
-      }
-    }
-    std::sort(reached.begin(), reached.end());
-    return reached;
-  }
-
-  /// Lay what matches with the mirror image of the other part, and the same back again.
-  void lay_parts(const PartMesh& front, const PartMesh& back, const MirrorPlane& plane) {
-    if (front.mesh().face_count() == 0 || back.mesh().face_count() == 0) return;
-    const bool is_same = &front == &back;
-    const Match there = match_with_image(front.mesh(), back.mesh(), plane);
-    const PerHalfedge<HalfedgeId> images = images_of(front.mesh(), back.mesh(), there.regions);
-    const PerHalfedge<HalfedgeId> returns =
-        is_same ? images
-                : images_of(back.mesh(), front.mesh(), match_with_image(back.mesh(), front.mesh(), plane).regions);
-    for (const Region& region : there.regions) {
-      for (const FacePair& pair : region.faces) {
-        const HalfedgeId first = front.mesh().first(pair.source);
-        if (returns[images[first]] != first) continue;
-        const Germ germ{front.to_whole(first), back.to_whole(images[first])};
-        const bool is_doubtful = settled_[components_.of_face[mesh_.face(germ.from)]] && plane.error > kPlaneFits;
-        const bool is_free = region.faces.size() >= kLeastIsland && (is_same || !is_doubtful);
-        map_.lay(germ, is_free ? Fit::Free : Fit::Vertices);
-      }
-    }
-  }
-
-  [[nodiscard]] std::vector<VertexPair> pairs_laid() const {
-    std::vector<VertexPair> pairs;
-    for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
-      if (map_.image(VertexId(v)).valid()) pairs.push_back({VertexId(v), map_.image(VertexId(v))});
-    }
-    return pairs;
   }
 
   [[nodiscard]] std::uint32_t laid_in(std::uint32_t component) const {
