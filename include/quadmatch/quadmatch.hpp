@@ -6,6 +6,7 @@
 #include <quadmatch/analysis/connectivity_hash.hpp>
 #include <quadmatch/analysis/group_order.hpp>
 #include <quadmatch/analysis/isomorphism.hpp>
+#include <quadmatch/analysis/signature.hpp>
 #include <quadmatch/analysis/skeleton.hpp>
 #include <quadmatch/analysis/vertex_code.hpp>
 #include <quadmatch/io/match_file.hpp>
