@@ -20,6 +20,8 @@ void add_merge_command(CLI::App& program, Action& chosen);
 void add_transfer_command(CLI::App& program, Action& chosen);
 void add_batch_command(CLI::App& program, Action& chosen);
 void add_batch_merge_command(CLI::App& program, Action& chosen);
+void add_index_command(CLI::App& program, Action& chosen);
+void add_find_command(CLI::App& program, Action& chosen);
 
 /// A verb whose options are kept in an `Options`: `run(options)` becomes the action when the verb is chosen.
 template <class Options>

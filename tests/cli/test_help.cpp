@@ -11,8 +11,8 @@ using namespace quadmatch::test;
 
 namespace {
 
-const std::vector<std::string> kVerbs{"match", "transfer", "symmetry", "merge", "verify",
-                                      "check", "diff",     "skeleton", "batch", "batch-merge"};
+const std::vector<std::string> kVerbs{"match", "transfer", "symmetry", "merge",       "verify", "check",
+                                      "diff",  "skeleton", "batch",    "batch-merge", "index",  "find"};
 
 std::size_t longest_line(const std::string& text) {
   std::size_t longest = 0;
@@ -44,6 +44,8 @@ TEST_CASE("the help of every verb has a usage line, options, examples and exit s
     const std::string takes = verb == "merge"         ? "BASE OURS THEIRS"
                               : verb == "batch"       ? "JOBS"
                               : verb == "batch-merge" ? "FOLDER"
+                              : verb == "index"       ? "FOLDER"
+                              : verb == "find"        ? "MESH LIBRARY"
                                                       : "A";
     CHECK(contains(help.out, "Usage: quadmatch " + verb + " [OPTIONS] " + takes));
     CHECK(contains(help.out, "\n  --json "));

@@ -43,6 +43,9 @@ void Statement::bind_null() { sqlite3_bind_null(statement_.get(), ++parameter_);
 void Statement::bind(std::string_view value) {
   sqlite3_bind_text(statement_.get(), ++parameter_, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT);
 }
+void Statement::bind_bytes(std::string_view value) {
+  sqlite3_bind_blob(statement_.get(), ++parameter_, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT);
+}
 
 std::int64_t Statement::next_integer() { return sqlite3_column_int64(statement_.get(), column_++); }
 void Statement::take(double& value) { value = sqlite3_column_double(statement_.get(), column_++); }

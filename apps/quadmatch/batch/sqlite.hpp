@@ -25,6 +25,8 @@ class Statement {
   void bind(double value);
   void bind(std::string_view value);
   void bind(const std::string& value) { bind(std::string_view(value)); }
+  /// Bytes that are no text; `take` a string to have them again.
+  void bind_bytes(std::string_view value);
   template <class Value>
   void bind(const std::optional<Value>& value) {
     value ? bind(*value) : bind_null();
@@ -32,6 +34,7 @@ class Statement {
   void bind_null();
 
   void take(std::uint32_t& value) { value = static_cast<std::uint32_t>(next_integer()); }
+  void take(std::int64_t& value) { value = next_integer(); }
   void take(std::uint64_t& value) { value = static_cast<std::uint64_t>(next_integer()); }
   void take(double& value);
   void take(std::string& value);
