@@ -71,6 +71,10 @@ if [ $core = no ]; then
   scripts/test_blender.sh
 fi
 
+stage "packages: installed, used, removed"
+scripts/install.sh package
+scripts/test_package.sh
+
 stage "tests, sanitized"
 ctest --preset sanitize -j 2 --timeout 1200
 stage "tests"

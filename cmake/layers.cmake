@@ -2,6 +2,8 @@
 # it links, and no others: the include path of each layer holds a link to its own header folder only, so that an
 # include against the direction of the layers does not compile.
 
+include(GNUInstallDirs)
+
 add_library(quadmatch_flags INTERFACE)
 target_compile_features(quadmatch_flags INTERFACE cxx_std_20)
 if(QUADMATCH_DEVELOPER)
@@ -20,9 +22,18 @@ function(quadmatch_layer name)
   add_library(quadmatch::${name} ALIAS quadmatch_${name})
   target_compile_features(quadmatch_${name} PUBLIC cxx_std_20)
   target_include_directories(quadmatch_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/layers/${name}>
+                                                      $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
                              PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   foreach(dependency IN LISTS layer_DEPENDS)
     target_link_libraries(quadmatch_${name} PUBLIC quadmatch::${dependency})
   endforeach()
-  target_link_libraries(quadmatch_${name} PRIVATE $<BUILD_INTERFACE:quadmatch_flags> ${layer_PRIVATE})
+  target_link_libraries(quadmatch_${name} PRIVATE $<BUILD_INTERFACE:quadmatch_flags>)
+  # Of what a layer keeps to itself, only fmt has code that a user of the installed library links; the rest is headers.
+  foreach(target IN LISTS layer_PRIVATE)
+    if(NOT target STREQUAL fmt::fmt)
+      set(target $<BUILD_INTERFACE:${target}>)
+    endif()
+    target_link_libraries(quadmatch_${name} PRIVATE ${target})
+  endforeach()
+  set_target_properties(quadmatch_${name} PROPERTIES EXPORT_NAME ${name})
 endfunction()

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing of Debian 12's packages: install.sh SET...  Sets: core tests python blender bench quality browser viewer web cluster docs.
+# Installs what is missing of Debian 12's packages: install.sh SET...  Sets: core tests python blender bench quality browser viewer web cluster package docs.
 # Asks nothing, changes nothing where all is there already.
 set -euo pipefail
 
@@ -14,6 +14,7 @@ declare -A sets=(
   [viewer]="nodejs npm"
   [web]="chromium ffmpeg"
   [cluster]="slurm-wlm munge python3 python3-dask python3-distributed"
+  [package]="dpkg-dev file man-db pkg-config"
   [docs]="mkdocs-material python3-matplotlib"
 )
 

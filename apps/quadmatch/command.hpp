@@ -22,6 +22,7 @@ void add_batch_command(CLI::App& program, Action& chosen);
 void add_batch_merge_command(CLI::App& program, Action& chosen);
 void add_index_command(CLI::App& program, Action& chosen);
 void add_find_command(CLI::App& program, Action& chosen);
+void add_generate_command(CLI::App& program, Action& chosen);
 
 /// A verb whose options are kept in an `Options`: `run(options)` becomes the action when the verb is chosen.
 template <class Options>

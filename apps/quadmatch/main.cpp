@@ -59,6 +59,7 @@ int run(int argc, char** argv) {
   add_batch_merge_command(program, chosen);
   add_index_command(program, chosen);
   add_find_command(program, chosen);
+  add_generate_command(program, chosen);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& request) {
