@@ -6,8 +6,7 @@ import statistics
 import sys
 import tempfile
 
-from parts.common import ROOT, Bar, bar_table, command_line, conditions, keep, kept, run, table
-from parts.memory import timed
+from parts.common import ROOT, Bar, bar_table, command_line, conditions, keep, kept, measured, run, table
 
 PAIRS = 10_000
 REPETITIONS = 3
@@ -19,8 +18,8 @@ LARGE_PAIRS = 24
 def batch(options, folder, jobs, results, *more):
     """Figures of a run and the peak of its memory in bytes."""
     command = [options.program, "batch", folder / jobs, "-o", folder / results, "--json", "--quiet", *more]
-    milliseconds, peak, told = timed(command)
-    return json.loads(told) | {"milliseconds": milliseconds, "peak": peak}
+    took = measured(command)
+    return json.loads(took.output) | {"milliseconds": took.milliseconds, "peak": took.peak}
 
 
 def throughput(options):

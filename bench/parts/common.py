@@ -6,6 +6,8 @@ import os
 import pathlib
 import platform
 import subprocess
+import sys
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -52,6 +54,27 @@ def run(command, statuses=(0,)):
     if ended.returncode not in statuses:
         raise SystemExit(f"{command[0]} ended with status {ended.returncode}: {ended.stderr.strip()[-400:]}")
     return ended.stdout
+
+
+@dataclasses.dataclass
+class Measured:
+    milliseconds: float       # on the clock
+    processor_seconds: float  # of all threads
+    peak: int                 # bytes of resident memory
+    output: str               # standard output
+
+
+def measured(command, statuses=(0, 1), folder=None):
+    """Run a program and say what it took."""
+    words = [str(word) for word in command]
+    with tempfile.NamedTemporaryFile() as file:
+        ended = subprocess.run([sys.executable, "-I", "-S", ROOT / "bench" / "measured_run.py", file.name, *words], text=True,
+                               stdout=subprocess.PIPE, cwd=folder, check=True)
+        figures = json.load(file)
+    status = figures.pop("status")
+    if status not in statuses:
+        raise SystemExit(f"{' '.join(words)} ended with status {status}")
+    return Measured(output=ended.stdout, **figures)
 
 
 def keep(options, name, value):

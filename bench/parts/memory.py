@@ -1,13 +1,10 @@
 """The whole command on a million quads: peak of its memory, and its time against that of reading the two files."""
 import json
-import os
 import pathlib
 import statistics
-import subprocess
 import tempfile
-import time
 
-from parts.common import ROOT, Bar, bar_table, command_line, conditions, keep, kept, run, table
+from parts.common import ROOT, Bar, bar_table, command_line, conditions, keep, kept, measured, run, table
 
 MOST_BYTES = 400
 MOST_TIMES_READING = 2.5
@@ -22,19 +19,6 @@ def subjects(options):
     return {name: (mesh, 1 if options.quick else steps) for name, (mesh, steps) in found.items()}
 
 
-def timed(command):
-    """Milliseconds on the clock, peak of resident memory in bytes, standard output."""
-    start = time.perf_counter()
-    with subprocess.Popen([str(word) for word in command], stdout=subprocess.PIPE, text=True) as process:
-        output = process.stdout.read()
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-    elapsed = time.perf_counter() - start
-    if process.returncode not in (0, 1):
-        raise SystemExit(f"{command} ended with status {process.returncode}")
-    return 1000 * elapsed, 1024 * usage.ru_maxrss, output
-
-
 def measure_subject(options, mesh, steps):
     with tempfile.TemporaryDirectory() as folder:
         source, target, output = (pathlib.Path(folder, name) for name in ("a.obj", "b.obj", "m.json"))
@@ -43,10 +27,9 @@ def measure_subject(options, mesh, steps):
         run([edit, source, target, "renumber"])
         runs = []
         for _ in range(REPETITIONS):
-            wall, peak, told = timed([options.program, "match", source, target, "-o", output, "--json", "--quiet",
-                                      "--threads", "1"])
-            told = json.loads(told)
-            runs.append({"wall": wall, "peak": peak, **told["milliseconds"]})
+            took = measured([options.program, "match", source, target, "-o", output, "--json", "--quiet", "--threads", 1])
+            told = json.loads(took.output)
+            runs.append({"wall": took.milliseconds, "peak": took.peak, **told["milliseconds"]})
         return {"faces": told["source"]["faces"], "matched": told["matched_faces"],
                 "megabytes read": (source.stat().st_size + target.stat().st_size) / 1e6, "runs": runs}
 

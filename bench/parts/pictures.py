@@ -1,11 +1,9 @@
 """Pictures and films: processor time beside that of the match alone, memory, and bytes."""
-import os
 import pathlib
 import statistics
-import subprocess
 import tempfile
 
-from parts.common import Bar, bar_table, command_line, conditions, keep, kept, run, table
+from parts.common import Bar, bar_table, command_line, conditions, keep, kept, measured, run, table
 
 # Round cubes of so many quads a side, matched with themselves in another order.
 SIDES = {"20 k": 58, "200 k": 183, "1 M": 409}
@@ -17,17 +15,12 @@ MOST_RATIO_AT_1_M = 3
 MOST_BYTES = {"image": 1_000_000, "animation": 3_000_000}
 
 
-def measured(options, folder, output):
-    """Processor time in seconds and memory in kilobytes of a whole command."""
-    command = [str(options.program), "match", "1.obj", "2.obj", "--quiet"]
+def drawn(options, folder, output):
+    """What a whole command takes."""
+    command = [options.program, "match", "1.obj", "2.obj", "--quiet"]
     command += ["-o", "m.json"] if OUTPUTS[output] is None else [f"--{output}", OUTPUTS[output]]
     print("  $", *command, flush=True)
-    process = subprocess.Popen(command, cwd=folder)
-    _, status, usage = os.wait4(process.pid, 0)
-    process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode != 0:
-        raise SystemExit(f"{' '.join(command)} ended with status {process.returncode}")
-    return usage.ru_utime + usage.ru_stime, usage.ru_maxrss
+    return measured(command, statuses=(0,), folder=folder)
 
 
 def row_of(options, folder, name, side):
@@ -35,9 +28,9 @@ def row_of(options, folder, name, side):
     run([options.build / "edit_mesh", folder / "1.obj", folder / "2.obj", "renumber", "--seed", 1])
     row = {"size": name, "faces": 6 * side * side, "seconds": {}, "memory": {}, "bytes": {}}
     for output, file in OUTPUTS.items():
-        figures = [measured(options, folder, output) for _ in range(1 if options.quick else REPEATED)]
-        row["seconds"][output] = statistics.median(seconds for seconds, _ in figures)
-        row["memory"][output] = max(memory for _, memory in figures)
+        figures = [drawn(options, folder, output) for _ in range(1 if options.quick else REPEATED)]
+        row["seconds"][output] = statistics.median(figure.processor_seconds for figure in figures)
+        row["memory"][output] = max(figure.peak for figure in figures)
         if file:
             row["bytes"][output] = (folder / file).stat().st_size
     return row
@@ -77,7 +70,7 @@ def page(options):
         for output in OUTPUTS:
             seconds = row["seconds"][output]
             lines.append([row["size"] if output == "match" else "", output, f"{seconds:.2f}",
-                          f"{seconds / row['seconds']['match']:.1f}", f"{row['memory'][output] / 1024:.0f}",
+                          f"{seconds / row['seconds']['match']:.1f}", f"{row['memory'][output] / 1e6:.0f}",
                           f"{row['bytes'][output] / 1e6:.2f}" if output in row["bytes"] else ""])
     return ["\n## Pictures\n",
             f"{command_line('pictures')}. Round cubes matched with themselves in random order, and the same with `--image` and "

@@ -45,9 +45,12 @@ TRIED = {
         "broken only. By processor time, which does not count on a second processor, the same is measured under "
         "*What the uses cost* with other edits.",
     "vertices paired with the one opposite, edited":
-        "*Mirrors of edited models.* Vertices within a few rows of the edit are missed, or a row off. The worst is a rook, which "
-        "is symmetric by rotation: bent and with a patch lifted, one copy got a mirror that is none of the model's. Tried: growth "
-        "from the centre line, pairs of rows laid across the edit, giving up what a mirror lays on its own side.",
+        "*Mirrors of edited models.* Most of what is missed is part of a patch that was lifted, or in a rook, which is symmetric by "
+        "rotation and not quite by mirrors; bent, it got bits of two of them. Tried: growth from the centre line, matching what "
+        "is left over on one side with that on the other, believing the match where growth says the same.",
+    "batch: pairs/s":
+        "*Many pairs.* Threads wait while match files and results are written to disk for good, and for memory that goes back to "
+        "the system. Tried: all lookups left out in a new folder, slots of jobs at work without calls of the system.",
     "match from Python":
         "*Python.* The time beyond the library's own goes mostly into verifying every match before the caller sees it, which the "
         "library's time is without. Tried: a verifier three times as fast; arrays taken in several numbers at a time; memory kept "
