@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Measure quadmatch and write docs/results.md, with the raw figures and the plots beside it in docs/results/.
 
 usage: bench/run.py [--only PART,...] [--meshes FOLDER] [--tools FOLDER] [--build FOLDER] [--docs FOLDER] [--jobs N] [--quick]

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Draw the pictures of README.md and of the pages in docs/ into docs/images/: the same bytes every time.
 
 usage: docs/draw.py [--build FOLDER] [--only NAME...]

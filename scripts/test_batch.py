@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Kill quadmatch batch again and again, and see that nothing of it is lost, repeated or changed.
 
 usage: scripts/test_batch.py [--build FOLDER] [--pairs N] [--kills K] [--seed S] [--only-make FOLDER]

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Regenerate every table and figure of the paper, and what is proved or bounded beyond it, into docs/paper/.
 
 usage: bench/paper/run.py [--only PART,...] [--meshes FOLDER] [--tools FOLDER] [--build FOLDER] [--docs FOLDER] [--jobs N] [--quick]
