@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Many pairs in a Python pipeline: match the pairs of a CSV file on the workers of a dask cluster.
 
 usage: cluster/dask_pairs.py PAIRS.csv OUT.jsonl [--scheduler ADDRESS] [--workers N] [--chunk N]

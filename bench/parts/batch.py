@@ -6,7 +6,7 @@ import statistics
 import sys
 import tempfile
 
-from parts.common import ROOT, Bar, bar_table, command_line, conditions, keep, kept, measured, run, table
+from parts.common import ROOT, Bar, bar_table, command_line, conditions, keep, kept, measured_run, run, table
 
 PAIRS = 10_000
 REPETITIONS = 3
@@ -18,7 +18,7 @@ LARGE_PAIRS = 24
 def batch(options, folder, jobs, results, *more):
     """Figures of a run and the peak of its memory in bytes."""
     command = [options.program, "batch", folder / jobs, "-o", folder / results, "--json", "--quiet", *more]
-    took = measured(command)
+    took = measured_run(command)
     return json.loads(took.output) | {"milliseconds": took.milliseconds, "peak": took.peak}
 
 

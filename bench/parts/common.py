@@ -64,7 +64,7 @@ class Measured:
     output: str               # standard output
 
 
-def measured(command, statuses=(0, 1), folder=None):
+def measured_run(command, statuses=(0, 1), folder=None):
     """Run a program and say what it took."""
     words = [str(word) for word in command]
     with tempfile.NamedTemporaryFile() as file:

@@ -2,12 +2,11 @@
 as moved vertices only; and what naming costs beside matching."""
 import json
 import pathlib
-import resource
 import statistics
 import subprocess
 import tempfile
 
-from parts.common import ROOT, Bar, bar_table, command_line, keep, kept, run, table
+from parts.common import ROOT, Bar, bar_table, command_line, keep, kept, measured_run, run, table
 from parts.subjects import edited_copy, in_parallel, name_of, quality_meshes
 
 # One edit each, and the names that are right for it. A case is right if it has changes and each of them has such a name.
@@ -59,14 +58,6 @@ def is_right(row):
     return not names and (row["moved"] > 0 if row["pose"] else row["same"])
 
 
-def processor_time(command):
-    """Seconds of the processor that a program took."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    run(command, statuses=(0, 1))
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-
-
 def measure_speed(options):
     """quadmatch diff and quadmatch match on a bear refined to about 100,000 quads, and on an edited copy of that."""
     with tempfile.TemporaryDirectory() as folder:
@@ -75,9 +66,8 @@ def measure_speed(options):
         run([options.build / "edit_mesh", source, target, "delete:200", "loop:1", "extrude:50", "renumber", "--seed", 7])
         times = {"match": [], "diff": []}
         for _ in range(REPETITIONS):
-            times["match"].append(processor_time([options.program, "match", source, target, "-o", pathlib.Path(folder, "m.json"),
-                                                  "--quiet"]))
-            times["diff"].append(processor_time([options.program, "diff", source, target, "--json"]))
+            for verb, more in (("match", ["-o", pathlib.Path(folder, "m.json"), "--quiet"]), ("diff", ["--json"])):
+                times[verb].append(measured_run([options.program, verb, source, target, *more]).processor_seconds)
         figures = compared(options, source, target)
     return {"faces": figures["source"]["faces"], "match": statistics.median(times["match"]),
             "diff": statistics.median(times["diff"])}

@@ -4,7 +4,7 @@ import pathlib
 import statistics
 import tempfile
 
-from parts.common import ROOT, Bar, bar_table, command_line, conditions, keep, kept, measured, run, table
+from parts.common import ROOT, Bar, bar_table, command_line, conditions, keep, kept, measured_run, run, table
 
 MOST_BYTES = 400
 MOST_TIMES_READING = 2.5
@@ -27,7 +27,7 @@ def measure_subject(options, mesh, steps):
         run([edit, source, target, "renumber"])
         runs = []
         for _ in range(REPETITIONS):
-            took = measured([options.program, "match", source, target, "-o", output, "--json", "--quiet", "--threads", 1])
+            took = measured_run([options.program, "match", source, target, "-o", output, "--json", "--quiet", "--threads", 1])
             told = json.loads(took.output)
             runs.append({"wall": took.milliseconds, "peak": took.peak, **told["milliseconds"]})
         return {"faces": told["source"]["faces"], "matched": told["matched_faces"],

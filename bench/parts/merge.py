@@ -5,9 +5,8 @@ import random
 import statistics
 import subprocess
 import tempfile
-import time
 
-from parts.common import ROOT, Bar, bar_table, command_line, keep, kept, run, table
+from parts.common import ROOT, Bar, bar_table, command_line, keep, kept, measured_run, run, table
 from parts.subjects import in_parallel, name_of, quality_meshes, tool
 
 # Each makes its place out of the last random face, and what it draws after it.
@@ -233,7 +232,7 @@ def unchanged_side(job):
 
 def cost(options):
     """What a merge of two edited copies of 100,000 quads takes, in the time of a match of one of them."""
-    program, runs = options.program, 3 if options.quick else 7
+    runs = 3 if options.quick else 7
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         shirt = ROOT / "examples" / "shirt_long.obj"
@@ -245,10 +244,9 @@ def cost(options):
             for verb, command in (("match", ["match", folder / "base.obj", folder / "ours.obj", "-o", folder / "m.json"]),
                                   ("merge", ["merge", folder / "base.obj", folder / "ours.obj", folder / "theirs.obj", "-o",
                                              folder / "out.obj"])):
-                began = time.perf_counter()
-                out = run([program, *command, "--json", "--quiet"], statuses=(0, 1))
-                times[verb].append(time.perf_counter() - began)
-        faces = json.loads(out)["base"]["faces"]
+                took = measured_run([options.program, *command, "--json", "--quiet"])
+                times[verb].append(took.milliseconds / 1000)
+        faces = json.loads(took.output)["base"]["faces"]
     return {"faces": faces, **{verb: statistics.median(seconds) for verb, seconds in times.items()}}
 
 

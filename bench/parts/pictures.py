@@ -3,7 +3,7 @@ import pathlib
 import statistics
 import tempfile
 
-from parts.common import Bar, bar_table, command_line, conditions, keep, kept, measured, run, table
+from parts.common import Bar, bar_table, command_line, conditions, keep, kept, measured_run, run, table
 
 # Round cubes of so many quads a side, matched with themselves in another order.
 SIDES = {"20 k": 58, "200 k": 183, "1 M": 409}
@@ -20,7 +20,7 @@ def drawn(options, folder, output):
     command = [options.program, "match", "1.obj", "2.obj", "--quiet"]
     command += ["-o", "m.json"] if OUTPUTS[output] is None else [f"--{output}", OUTPUTS[output]]
     print("  $", *command, flush=True)
-    return measured(command, statuses=(0,), folder=folder)
+    return measured_run(command, statuses=(0,), folder=folder)
 
 
 def row_of(options, folder, name, side):

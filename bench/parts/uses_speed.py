@@ -1,12 +1,10 @@
 """What the uses of a match cost beside the match alone: whole commands on files of a hundred thousand quads, in one run."""
-import os
 import pathlib
 import random
 import statistics
-import subprocess
 import tempfile
 
-from parts.common import ROOT, Bar, bar_table, command_line, conditions, keep, kept, run, table
+from parts.common import ROOT, Bar, bar_table, command_line, conditions, keep, kept, measured_run, run, table
 
 REPETITIONS = 5
 STEPS = 3  # 1,944 quads become 124,416
@@ -34,12 +32,8 @@ def write_meshes(options, folder):
 
 
 def seconds(options, verb, folder):
-    """Processor time of the command and of nothing else, or None where there is no such verb or it ends in trouble."""
-    command = [str(options.program), *COMMANDS[verb], "--quiet"]
-    process = subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    _, status, usage = os.wait4(process.pid, 0)
-    process.returncode = os.waitstatus_to_exitcode(status)
-    return usage.ru_utime + usage.ru_stime if process.returncode in (0, 1) else None
+    """Processor time of the command and of nothing else."""
+    return measured_run([options.program, *COMMANDS[verb], "--quiet"], folder=folder).processor_seconds
 
 
 def measure(options):
@@ -58,7 +52,7 @@ def measure(options):
 
 def measured(figures):
     """The median of each verb that ran."""
-    return {verb: statistics.median(times) for verb, times in figures["seconds"].items() if times and None not in times}
+    return {verb: statistics.median(times) for verb, times in figures["seconds"].items()}
 
 
 def bars(options):

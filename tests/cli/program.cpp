@@ -132,6 +132,17 @@ std::string obj_of(const PolygonSoup& soup) {
   return format_mesh(MeshFile{*std::move(mesh)}, Format::Obj);
 }
 
+void check_refused(const Folder& folder, const std::vector<std::string>& begin, const std::vector<Trouble>& troubles) {
+  for (const Trouble& trouble : troubles) {
+    std::vector<std::string> arguments = begin;
+    arguments.insert(arguments.end(), trouble.arguments.begin(), trouble.arguments.end());
+    const Outcome outcome = folder.run(arguments);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err == "quadmatch: " + trouble.complaint + "\n");
+  }
+}
+
 bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
 std::size_t line_count(std::string_view text) {

@@ -47,6 +47,15 @@ class Folder {
   std::filesystem::path folder_;
 };
 
+/// Arguments that make no sense, and what is said of them.
+struct Trouble {
+  std::vector<std::string> arguments;
+  std::string complaint;
+};
+/// Each is refused with status 2 and its one line, and nothing on standard output.
+/// @param begin  arguments before those of each trouble
+void check_refused(const Folder& folder, const std::vector<std::string>& begin, const std::vector<Trouble>& troubles);
+
 /// A mesh as OBJ text.
 [[nodiscard]] std::string obj_of(const PolygonSoup& soup);
 

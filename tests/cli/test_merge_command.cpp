@@ -125,34 +125,24 @@ TEST_CASE("what a merge cannot do is said in one line, and nothing is written") 
   folder.write("prism.obj", shapes::prism(5));
   folder.write("broken.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 9\n");
   folder.write("old.obj", "precious");
-  struct Trouble {
-    std::vector<std::string> arguments;
-    std::string complaint;
-  };
-  for (const Trouble& trouble : std::vector<Trouble>{
-           {{"base.obj", "cube.obj", "prism.obj", "-o", "old.obj"},
-            "cube.obj: it has no part in common with base.obj, so there is nothing to merge by; name the mesh that "
-            "both "
-            "sides were made from"},
-           {{"base.obj", "ours.obj", "broken.obj", "-o", "old.obj"},
-            "broken.obj:4: vertex 9 is named, but the file has only 3 vertices; correct it or export the mesh again"},
-           {{"base.obj", "ours.obj", "missing.obj", "-o", "old.obj"},
-            "missing.obj: there is no such file; check the name and the folder"},
-           {{"base.obj", "ours.obj", "theirs.obj", "-o", "out.xyz"},
-            "out.xyz: the name does not tell the format; end it in .obj, .ply, .off or .usda, or say --as NAME"},
-           {{"base.obj", "ours.obj", "theirs.obj", "-o", "old.obj", "--as", "model"},
-            "model: the name does not tell the format; end it in .obj, .ply, .off or .usda"},
-           {{"-", "ours.obj", "-", "-o", "old.obj"},
-            "standard input (-) can be read only once; write one of the meshes to a file"},
-           {{"base.obj", "ours.obj", "theirs.obj", "-o", "-", "--json"},
-            "--json and -o - would mix figures and the mesh on standard output; write the mesh to a file"}}) {
-    std::vector<std::string> arguments{"merge"};
-    arguments.insert(arguments.end(), trouble.arguments.begin(), trouble.arguments.end());
-    const Outcome outcome = folder.run(arguments);
-    CHECK(outcome.status == 2);
-    CHECK(outcome.out.empty());
-    CHECK(outcome.err == "quadmatch: " + trouble.complaint + "\n");
-  }
+  check_refused(
+      folder, {"merge"},
+      {{{"base.obj", "cube.obj", "prism.obj", "-o", "old.obj"},
+        "cube.obj: it has no part in common with base.obj, so there is nothing to merge by; name the mesh that "
+        "both "
+        "sides were made from"},
+       {{"base.obj", "ours.obj", "broken.obj", "-o", "old.obj"},
+        "broken.obj:4: vertex 9 is named, but the file has only 3 vertices; correct it or export the mesh again"},
+       {{"base.obj", "ours.obj", "missing.obj", "-o", "old.obj"},
+        "missing.obj: there is no such file; check the name and the folder"},
+       {{"base.obj", "ours.obj", "theirs.obj", "-o", "out.xyz"},
+        "out.xyz: the name does not tell the format; end it in .obj, .ply, .off or .usda, or say --as NAME"},
+       {{"base.obj", "ours.obj", "theirs.obj", "-o", "old.obj", "--as", "model"},
+        "model: the name does not tell the format; end it in .obj, .ply, .off or .usda"},
+       {{"-", "ours.obj", "-", "-o", "old.obj"},
+        "standard input (-) can be read only once; write one of the meshes to a file"},
+       {{"base.obj", "ours.obj", "theirs.obj", "-o", "-", "--json"},
+        "--json and -o - would mix figures and the mesh on standard output; write the mesh to a file"}});
   CHECK(folder.run({"merge", "base.obj", "ours.obj", "-o", "old.obj"}).status == 2);
   CHECK(folder.run({"merge", "base.obj", "ours.obj", "theirs.obj", "-o", "old.obj", "--prefer", "mine"}).status == 2);
   CHECK(folder.read("old.obj") == "precious");

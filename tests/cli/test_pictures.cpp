@@ -147,38 +147,28 @@ TEST_CASE("a picture that cannot be made is trouble in one line, before any work
   const Folder folder;
   write_pair(folder);
   const std::string before = folder.read("a.obj");
-  struct Trouble {
-    std::vector<std::string> arguments;
-    std::string complaint;
-  };
   const std::string size = ": a size is a width and a height in pixels from 16 to 8192, such as 1280x640";
-  for (const Trouble& trouble : std::vector<Trouble>{
-           {{"--image", "a.jpg"}, "a.jpg: pictures are written as PNG; choose a name that ends in .png"},
-           {{"--animation", "a.avi"},
-            "a.avi: the name does not tell how the animation is to be stored; end it in .webp, .gif or .mp4"},
-           {{"--image", "-"}, "--image needs the name of a file; - is for standard output, which has the figures"},
-           {{"--image", "a.obj"}, "a.obj: this is an input and would be overwritten; choose another name for --image"},
-           {{"--image", "m.png", "-o", "./m.png"},
-            "m.png: --image and another option name the same file; choose another name for one of them"},
-           {{"--image", "m.png", "--report", "m.png"},
-            "m.png: --image and another option name the same file; choose another name for one of them"},
-           {{"--image", "m.webp", "--animation", "m.webp"},
-            "m.webp: --animation and another option name the same file; choose another name for one of them"},
-           {{"--image-size", "64x64"}, "--image-size is about a picture, and none is asked for; add --image FILE"},
-           {{"--image-view", "front"}, "--image-view is about a picture, and none is asked for; add --image FILE"},
-           {{"--image", "m.png", "--image-size", "0x0"}, "--image-size 0x0" + size},
-           {{"--image", "m.png", "--image-size", "640"}, "--image-size 640" + size},
-           {{"--image", "m.png", "--image-size", "640x"}, "--image-size 640x" + size},
-           {{"--image", "m.png", "--image-size", "-5x20"}, "--image-size -5x20" + size},
-           {{"--image", "m.png", "--image-size", "640x480px"}, "--image-size 640x480px" + size},
-           {{"--image", "m.png", "--image-size", "99999x99999"}, "--image-size 99999x99999" + size}}) {
-    std::vector<std::string> arguments{"match", "a.obj", "b.obj"};
-    arguments.insert(arguments.end(), trouble.arguments.begin(), trouble.arguments.end());
-    const Outcome outcome = folder.run(arguments);
-    CHECK(outcome.status == 2);
-    CHECK(outcome.out.empty());
-    CHECK(outcome.err == "quadmatch: " + trouble.complaint + "\n");
-  }
+  check_refused(
+      folder, {"match", "a.obj", "b.obj"},
+      {{{"--image", "a.jpg"}, "a.jpg: pictures are written as PNG; choose a name that ends in .png"},
+       {{"--animation", "a.avi"},
+        "a.avi: the name does not tell how the animation is to be stored; end it in .webp, .gif or .mp4"},
+       {{"--image", "-"}, "--image needs the name of a file; - is for standard output, which has the figures"},
+       {{"--image", "a.obj"}, "a.obj: this is an input and would be overwritten; choose another name for --image"},
+       {{"--image", "m.png", "-o", "./m.png"},
+        "m.png: --image and another option name the same file; choose another name for one of them"},
+       {{"--image", "m.png", "--report", "m.png"},
+        "m.png: --image and another option name the same file; choose another name for one of them"},
+       {{"--image", "m.webp", "--animation", "m.webp"},
+        "m.webp: --animation and another option name the same file; choose another name for one of them"},
+       {{"--image-size", "64x64"}, "--image-size is about a picture, and none is asked for; add --image FILE"},
+       {{"--image-view", "front"}, "--image-view is about a picture, and none is asked for; add --image FILE"},
+       {{"--image", "m.png", "--image-size", "0x0"}, "--image-size 0x0" + size},
+       {{"--image", "m.png", "--image-size", "640"}, "--image-size 640" + size},
+       {{"--image", "m.png", "--image-size", "640x"}, "--image-size 640x" + size},
+       {{"--image", "m.png", "--image-size", "-5x20"}, "--image-size -5x20" + size},
+       {{"--image", "m.png", "--image-size", "640x480px"}, "--image-size 640x480px" + size},
+       {{"--image", "m.png", "--image-size", "99999x99999"}, "--image-size 99999x99999" + size}});
   const Outcome missing = folder.run({"match", "a.obj", "b.obj", "--image", "none/m.png"});
   CHECK(missing.status == 2);
   CHECK(line_count(missing.err) == 1);

@@ -111,24 +111,13 @@ TEST_CASE("a page that cannot be written is trouble in one line, and nothing is 
   const Folder folder;
   write_pair(folder);
   const std::string before = folder.read("a.obj");
-  struct Trouble {
-    std::vector<std::string> arguments;
-    std::string complaint;
-  };
-  for (const Trouble& trouble : std::vector<Trouble>{
-           {{"--report", "a.obj"},
-            "a.obj: this is an input and would be overwritten; choose another name for --report"},
-           {{"--report", "-"},
-            "--report needs the name of a file, such as report.html; - is for standard output, which has the figures"},
-           {{"--report", "m.html", "-o", "./m.html"},
-            "m.html: another option and --report name the same file; choose another name for one of them"}}) {
-    std::vector<std::string> arguments{"match", "a.obj", "b.obj"};
-    arguments.insert(arguments.end(), trouble.arguments.begin(), trouble.arguments.end());
-    const Outcome outcome = folder.run(arguments);
-    CHECK(outcome.status == 2);
-    CHECK(outcome.out.empty());
-    CHECK(outcome.err == "quadmatch: " + trouble.complaint + "\n");
-  }
+  check_refused(
+      folder, {"match", "a.obj", "b.obj"},
+      {{{"--report", "a.obj"}, "a.obj: this is an input and would be overwritten; choose another name for --report"},
+       {{"--report", "-"},
+        "--report needs the name of a file, such as report.html; - is for standard output, which has the figures"},
+       {{"--report", "m.html", "-o", "./m.html"},
+        "m.html: another option and --report name the same file; choose another name for one of them"}});
   const Outcome missing = folder.run({"match", "a.obj", "b.obj", "--report", "none/page.html"});
   CHECK(missing.status == 2);
   CHECK(line_count(missing.err) == 1);

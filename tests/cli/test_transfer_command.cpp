@@ -173,35 +173,24 @@ TEST_CASE("what cannot be done is said in one line, and nothing is written") {
   write_shirts(folder);
   folder.write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   folder.write("old.obj", "precious");
-  struct Trouble {
-    std::vector<std::string> arguments;
-    std::string complaint;
-  };
-  for (const Trouble& trouble : std::vector<Trouble>{
-           {{"a.obj", "b.obj", "-o", "out.xyz"},
-            "out.xyz: the name does not tell the format; end it in .obj, .ply, .off or .usda"},
-           {{"b.obj", "a.obj", "-o", "old.obj"},
-            "b.obj: it has none of the data that are to be carried; ask for what it has, or for its order"},
-           {{"a.obj", "b.obj", "-o", "old.obj", "--only", "none"},
-            "a.obj: it has none of the data that are to be carried; ask for what it has, or for its order"},
-           {{"a.obj", "triangle.obj", "-o", "old.obj"},
-            "triangle.obj: nothing of a.obj was found in it, so nothing is carried and nothing written; quadmatch "
-            "match "
-            "shows more"},
-           {{"a.obj", "missing.obj", "-o", "old.obj"},
-            "missing.obj: there is no such file; check the name and the folder"},
-           {{"-", "-", "-o", "old.obj"}, "standard input (-) can be read only once; write one of the meshes to a file"},
-           {{"a.obj", "b.obj", "-o", "-", "--json"},
-            "--json and -o - would mix figures and the mesh on standard output; write the mesh to a file"},
-           {{"a.obj", "b.obj", "-o", "old.obj", "--match", "m.json", "--no-positions"},
-            "--no-positions is about matching, but --match gives the match; leave one of them out"}}) {
-    std::vector<std::string> arguments{"transfer"};
-    arguments.insert(arguments.end(), trouble.arguments.begin(), trouble.arguments.end());
-    const Outcome outcome = folder.run(arguments);
-    CHECK(outcome.status == 2);
-    CHECK(outcome.out.empty());
-    CHECK(outcome.err == "quadmatch: " + trouble.complaint + "\n");
-  }
+  check_refused(
+      folder, {"transfer"},
+      {{{"a.obj", "b.obj", "-o", "out.xyz"},
+        "out.xyz: the name does not tell the format; end it in .obj, .ply, .off or .usda"},
+       {{"b.obj", "a.obj", "-o", "old.obj"},
+        "b.obj: it has none of the data that are to be carried; ask for what it has, or for its order"},
+       {{"a.obj", "b.obj", "-o", "old.obj", "--only", "none"},
+        "a.obj: it has none of the data that are to be carried; ask for what it has, or for its order"},
+       {{"a.obj", "triangle.obj", "-o", "old.obj"},
+        "triangle.obj: nothing of a.obj was found in it, so nothing is carried and nothing written; quadmatch "
+        "match "
+        "shows more"},
+       {{"a.obj", "missing.obj", "-o", "old.obj"}, "missing.obj: there is no such file; check the name and the folder"},
+       {{"-", "-", "-o", "old.obj"}, "standard input (-) can be read only once; write one of the meshes to a file"},
+       {{"a.obj", "b.obj", "-o", "-", "--json"},
+        "--json and -o - would mix figures and the mesh on standard output; write the mesh to a file"},
+       {{"a.obj", "b.obj", "-o", "old.obj", "--match", "m.json", "--no-positions"},
+        "--no-positions is about matching, but --match gives the match; leave one of them out"}});
   CHECK(folder.run({"transfer", "a.obj", "b.obj", "-o", "old.obj", "--only", "hair"}).status == 2);
   CHECK(folder.run({"transfer", "a.obj", "b.obj"}).status == 2);
   CHECK(folder.read("old.obj") == "precious");

@@ -3,7 +3,9 @@ import assert from "node:assert/strict";
 import { existsSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { drawn, EXAMPLES, folder, launch, open, partners, pixels, report, ROOT } from "./support.mjs";
+import {
+  checkRed, drawn, EXAMPLES, folder, isRed, launch, open, partners, pixels, places, report, ROOT, said,
+} from "./support.mjs";
 
 const BEARS = [join(EXAMPLES, "bear.obj"), join(EXAMPLES, "bear_no_ears_posed.obj")];
 const SIDES = ["source", "target"];
@@ -15,19 +17,6 @@ before(async () => {
   bears = report(...BEARS);
 });
 after(() => browser?.close());
-
-const said = (page) => page.textContent("#said");
-const isRed = ([red, green, blue]) => red > 90 && red > 2.4 * green && red > 2.4 * blue;
-
-/** The middle of a view, and points around it, in pixels of the page. */
-async function places(page, side, count) {
-  const box = await page.locator(`#view-${side}`).boundingBox();
-  const found = [];
-  for (let i = 1; i < count; ++i) {
-    for (let j = 1; j < count; ++j) found.push([Math.round(box.x + (box.width * i) / count), Math.round(box.y + (box.height * j) / count)]);
-  }
-  return found;
-}
 
 test("a report opens from disk, asks nothing of the network and has no error in the console", async () => {
   const page = await open(browser, bears.page);
@@ -68,26 +57,7 @@ test("what is unmatched is red, and nothing else is", async () => {
   await drawn(page);
   for (const [index, side] of SIDES.entries()) {
     const partner = partners(bears.match, index);
-    const sought = await places(page, side, 70);
-    const colours = await pixels(browser, page, sought);
-    const picked = await page.evaluate(
-      ([name, list]) =>
-        list.map(([x, y]) => {
-          // A pixel at the border of a face may be of either colour, so its neighbours are looked at too.
-          const around = [[0.5, 0.5], [-1, -1], [-1, 2], [2, -1], [2, 2]];
-          return around.map(([dx, dy]) => window.quadmatch.picture.pick(name, x + dx, y + dy));
-        }),
-      [side, sought],
-    );
-    let red = 0;
-    let other = 0;
-    sought.forEach(([x, y], i) => {
-      const unmatched = picked[i].map((face) => face >= 0 && !partner.has(face));
-      if (unmatched.some((answer) => answer !== unmatched[0])) return;
-      assert.equal(isRed(colours[i]), unmatched[0], `pixel ${x}, ${y} of the ${side}: ${colours[i]}, face ${picked[i][0]}`);
-      if (unmatched[0]) ++red;
-      else if (picked[i][0] >= 0) ++other;
-    });
+    const { red, other } = await checkRed(browser, page, side, (face) => partner.has(face), 70);
     assert.ok(red >= (index === 0 ? 60 : 10) && other > 500, `${side}: ${red} red places, ${other} others`);
   }
   await page.close();

@@ -1,4 +1,5 @@
 /** The real program makes reports, and a real browser opens them from disk. */
+import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -98,4 +99,44 @@ export async function pixels(browser, page, places) {
 /** The partner of each face of one side (0: source, 1: target). */
 export function partners(match, side) {
   return new Map(match.regions.flatMap((region) => region.faces.map((pair) => [pair[side], pair[1 - side]])));
+}
+
+/** What the report says of what is pointed at. */
+export const said = (page) => page.textContent("#said");
+
+export const isRed = ([red, green, blue]) => red > 90 && red > 2.4 * green && red > 2.4 * blue;
+
+/** Points all over a view, in pixels of the page. */
+export async function places(page, side, count) {
+  const box = await page.locator(`#view-${side}`).boundingBox();
+  const found = [];
+  for (let i = 1; i < count; ++i) {
+    for (let j = 1; j < count; ++j) found.push([Math.round(box.x + (box.width * i) / count), Math.round(box.y + (box.height * j) / count)]);
+  }
+  return found;
+}
+
+/** How many faces of either kind were met at so many places a side; a pixel is red exactly where its face has no partner. */
+export async function checkRed(browser, page, side, hasPartner, count) {
+  const sought = await places(page, side, count);
+  const colours = await pixels(browser, page, sought);
+  const picked = await page.evaluate(
+    ([name, list]) =>
+      list.map(([x, y]) => {
+        // A pixel at the border of a face may be of either colour, so its neighbours are looked at too.
+        const around = [[0.5, 0.5], [-1, -1], [-1, 2], [2, -1], [2, 2]];
+        return around.map(([dx, dy]) => window.quadmatch.picture.pick(name, x + dx, y + dy));
+      }),
+    [side, sought],
+  );
+  let red = 0;
+  let other = 0;
+  sought.forEach(([x, y], i) => {
+    const unmatched = picked[i].map((face) => face >= 0 && !hasPartner(face));
+    if (unmatched.some((answer) => answer !== unmatched[0])) return;
+    assert.equal(isRed(colours[i]), unmatched[0], `pixel ${x}, ${y} of the ${side}: ${colours[i]}, face ${picked[i][0]}`);
+    if (unmatched[0]) ++red;
+    else if (picked[i][0] >= 0) ++other;
+  });
+  return { red, other };
 }

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { drawn, EXAMPLES, folder, launch, open, partners, pixels, run } from "./support.mjs";
+import { checkRed, drawn, EXAMPLES, folder, launch, open, partners, places, run, said } from "./support.mjs";
 
 const SIDES = ["source", "target"];
 let browser;
@@ -12,40 +12,6 @@ before(async () => {
   browser = await launch();
 });
 after(() => browser?.close());
-
-const said = (page) => page.textContent("#said");
-const isRed = ([red, green, blue]) => red > 90 && red > 2.4 * green && red > 2.4 * blue;
-
-/** Points all over a view, in pixels of the page. */
-async function places(page, side, count) {
-  const box = await page.locator(`#view-${side}`).boundingBox();
-  const found = [];
-  for (let i = 1; i < count; ++i) {
-    for (let j = 1; j < count; ++j) found.push([Math.round(box.x + (box.width * i) / count), Math.round(box.y + (box.height * j) / count)]);
-  }
-  return found;
-}
-
-/** How many faces of either kind were met; every pixel is red exactly where its face has no partner. */
-async function checkRed(page, side, hasPartner) {
-  const sought = await places(page, side, 60);
-  const colours = await pixels(browser, page, sought);
-  const picked = await page.evaluate(
-    ([name, list]) =>
-      list.map(([x, y]) => [[0.5, 0.5], [-1, -1], [-1, 2], [2, -1], [2, 2]].map(([dx, dy]) => window.quadmatch.picture.pick(name, x + dx, y + dy))),
-    [side, sought],
-  );
-  let red = 0;
-  let other = 0;
-  sought.forEach(([x, y], i) => {
-    const unmatched = picked[i].map((face) => face >= 0 && !hasPartner(face));
-    if (unmatched.some((answer) => answer !== unmatched[0])) return;
-    assert.equal(isRed(colours[i]), unmatched[0], `pixel ${x}, ${y} of the ${side}: ${colours[i]}, face ${picked[i][0]}`);
-    if (unmatched[0]) ++red;
-    else if (picked[i][0] >= 0) ++other;
-  });
-  return { red, other };
-}
 
 test("a merge is shown as the base beside the result: red what a side added, listed by side, and conflicts first", async () => {
   const base = join(EXAMPLES, "bear.obj");
@@ -62,9 +28,9 @@ test("a merge is shown as the base beside the result: red what a side added, lis
   await drawn(page);
   assert.equal(await page.title(), "bear.obj and merged.obj");
   assert.deepEqual(await page.locator("[data-change]").allTextContents().then((texts) => texts.map((text) => /by (OURS|THEIRS)/.exec(text)[1])), ["OURS", "THEIRS"]);
-  const { red, other } = await checkRed(page, "target", (face) => origins[face][0] !== null);
+  const { red, other } = await checkRed(browser, page, "target", (face) => origins[face][0] !== null, 60);
   assert.ok(red >= 8 && other > 400, `${red} red places, ${other} others`);
-  assert.equal((await checkRed(page, "source", () => true)).red, 0);
+  assert.equal((await checkRed(browser, page, "source", () => true, 60)).red, 0);
   assert.match(await page.textContent(".figures"), new RegExp(`${merged.faces.toLocaleString("en")} faces: `));
   await page.keyboard.press("n");
   assert.match(await said(page), new RegExp(`^added by OURS: ${merged.from_ours} faces around f\\d+ of OUT$`));
@@ -122,7 +88,7 @@ test("a mirror is shown as a mesh beside itself: pairs light up on both, the lin
   await page.uncheck("#layer-seams");
   await drawn(page);
   for (const side of SIDES) {
-    const { red, other } = await checkRed(page, side, (face) => partner.has(face));
+    const { red, other } = await checkRed(browser, page, side, (face) => partner.has(face), 60);
     assert.ok(red >= 3 && other > 400, `${side}: ${red} red places, ${other} others`);
   }
   assert.deepEqual(page.troubles, []);
