@@ -66,10 +66,12 @@ std::uint64_t usual_memory() {
   return bytes / 4 * 3;
 }
 
-/// Memory of a pair goes back to the system with the pair: the C library must not keep what threads have freed.
+/// Memory of a large pair goes back to the system with the pair: the C library must not keep what threads have freed,
+/// but for so little that giving and taking it would cost small pairs more.
 void return_freed_memory() {
-  ::mallopt(M_MMAP_THRESHOLD, 1 << 18);
-  ::mallopt(M_TRIM_THRESHOLD, 1 << 18);
+  constexpr int kKept = 1 << 22;
+  ::mallopt(M_MMAP_THRESHOLD, kKept);
+  ::mallopt(M_TRIM_THRESHOLD, kKept);
 }
 
 std::string as_text(const BatchArguments& arguments, const JobList& list, const BatchCounts& counts,
