@@ -143,6 +143,21 @@ void build_mesh(benchmark::State& state, const Mesh& mesh) {
   }
 }
 
+/// Everything from arrays to the match: what a caller waits for who has no meshes yet.
+void build_and_match(benchmark::State& state, const Mesh& source, const Mesh& target) {
+  const PolygonSoup source_soup = soup_of(source), target_soup = soup_of(target);
+  std::size_t matched = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    PolygonSoup source_copy = source_soup, target_copy = target_soup;
+    state.ResumeTiming();
+    const Mesh source_built = take(Mesh::build(std::move(source_copy)));
+    const Mesh target_built = take(Mesh::build(std::move(target_copy)));
+    matched = match(source_built, target_built).match.matched_faces();
+  }
+  report(state, source, matched);
+}
+
 void read_with_quadmatch(benchmark::State& state, const std::string& path) {
   for (auto _ : state) benchmark::DoNotOptimize(take(read_mesh(path)));
 }
@@ -174,6 +189,10 @@ void register_matching(const Subject& subject) {
     });
   };
   register_benchmark("build", source, [&](benchmark::State& state) { build_mesh(state, renumbered); });
+  register_benchmark("from-arrays", source,
+                     [&](benchmark::State& state) { build_and_match(state, source, renumbered); });
+  register_benchmark("from-arrays-in-file-order", source,
+                     [&](benchmark::State& state) { build_and_match(state, source, copy); });
   register_benchmark("anchors", source, [&](benchmark::State& state) { find_anchors_of(state, source, renumbered); });
   add("regions", renumbered, Algorithm::Regions);
   add("regions-in-file-order", copy, Algorithm::Regions);

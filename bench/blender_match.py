@@ -59,8 +59,8 @@ quadmatch = library.load()
 mesh = quadmatch.read(path)
 vertices, faces = np.array(mesh.vertices), np.array(mesh.faces)
 source = add("Source", vertices, faces)
-copies = {"regions-in-file-order": add("Copy", vertices, faces),
-          "regions": add("Renumbered", *renumbered(vertices, faces, np.random.default_rng(1)))}
+copies = {"from-arrays-in-file-order": add("Copy", vertices, faces),
+          "from-arrays": add("Renumbered", *renumbered(vertices, faces, np.random.default_rng(1)))}
 result = {"faces": len(faces)}
 for name, copy in copies.items():
     result[name] = {"matched": match(source, copy).matched, "ms": times(match, source, copy), "operator": times(operator, source, copy)}

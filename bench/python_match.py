@@ -33,8 +33,8 @@ def main(path, runs):
     mesh = quadmatch.read(path)
     vertices, faces = np.array(mesh.vertices), mesh.faces.astype(np.int64)  # as NumPy makes them by default
     result = {"faces": len(faces)}
-    copies = {"regions-in-file-order": (vertices.copy(), faces.copy()),
-              "regions": renumbered(vertices, faces, np.random.default_rng(1))}
+    copies = {"from-arrays-in-file-order": (vertices.copy(), faces.copy()),
+              "from-arrays": renumbered(vertices, faces, np.random.default_rng(1))}
     for name, copy in copies.items():
         found, matched = times(vertices, faces, *copy, runs)
         result[name] = {"ms": found, "matched": matched}

@@ -51,10 +51,6 @@ TRIED = {
     "batch: pairs/s":
         "*Many pairs.* Threads wait while match files and results are written to disk for good, and for memory that goes back to "
         "the system. Tried: all lookups left out in a new folder, slots of jobs at work without calls of the system.",
-    "match from Python":
-        "*Python.* The time beyond the library's own goes mostly into verifying every match before the caller sees it, which the "
-        "library's time is without. Tried: a verifier three times as fast; arrays taken in several numbers at a time; memory kept "
-        "from match to match.",
 }
 
 

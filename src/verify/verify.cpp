@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -46,6 +47,7 @@ struct Corners {
   }
   [[nodiscard]] VertexId origin(HalfedgeId h) const { return origins[h.value]; }
   [[nodiscard]] FaceId face(HalfedgeId h) const { return kQuads ? FaceId(h.value / 4) : mesh.face(h); }
+  [[nodiscard]] std::uint32_t corner(HalfedgeId h) const { return kQuads ? h.value % 4 : mesh.corner(h); }
 };
 
 /// How many pairs before they are judged their corners are asked for.
@@ -60,14 +62,16 @@ class Judge {
         kept_(kept),
         face_image_(source.face_count()),
         face_hit_(target.face_count(), FaceId::kNone),
-        vertex_image_(source.vertex_count()),
-        vertex_hit_(target.vertex_count()),
         listed_image_(source.vertex_count()) {}
 
   Verdict judge(const Match& match) &&;
 
  private:
+  bool lies_as_listed(const Match& match);
+  bool take_list(std::span<const VertexPair> vertices);
+  void face(Orientation orientation);
   void judge_region(const Region& region);
+  void judge_vertices();
   void gather_pairs(std::span<const FacePair> faces);
   bool names_a_pair(const FacePair& pair);
   // Compilers take a function that only gives hints for one without effect, and leave its calls out.
@@ -109,6 +113,7 @@ class Judge {
   const Corners<kQuads> source_;
   const Corners<kQuads> target_;
   const std::size_t kept_;
+  bool as_listed_ = false;  // all corners lie as the list of vertices says: nothing else is to be said of vertices
   Verdict verdict_;
 
   // The region being judged.
@@ -142,7 +147,17 @@ constexpr bool by_number(const VertexPair& a, const VertexPair& b) {
 
 template <bool kQuads>
 Verdict Judge<kQuads>::judge(const Match& match) && {
+  as_listed_ = lies_as_listed(match);
+  if (!as_listed_) {
+    vertex_image_ = PerVertex<Stamped<VertexId>>(listed_image_.size());
+    vertex_hit_ = PerVertex<Hit>(target_.mesh.vertex_count());
+    listed_image_ = PerVertex<VertexId>(listed_image_.size());
+  }
   for (region_ = 0; region_ < match.regions.size(); ++region_) judge_region(match.regions[region_]);
+  if (as_listed_) {
+    verdict_.matched_vertices = match.vertices.size();
+    return std::move(verdict_);
+  }
   std::sort(further_images_.begin(), further_images_.end(), by_number);
   std::sort(disputed_targets_.begin(), disputed_targets_.end());
   judge_listed(match.vertices);
@@ -150,15 +165,54 @@ Verdict Judge<kQuads>::judge(const Match& match) && {
   return std::move(verdict_);
 }
 
+/// Is `vertices` one-to-one, do all corners of all regions lie as it says, and do they reach all of it? Then sentences
+/// 2 and 6 hold. Mostly it is so, and quickly seen; else it takes the long way to say where it is not, or that regions
+/// disagree, as they may.
+template <bool kQuads>
+bool Judge<kQuads>::lies_as_listed(const Match& match) {
+  if (!take_list(match.vertices)) return false;
+  PerVertex<std::uint8_t> reached(listed_image_.size(), 0);
+  for (const Region& region : match.regions) {
+    face(region.orientation);
+    for (const FacePair& pair : region.faces) {
+      if (!exists(pair) || !fits(pair)) return false;
+      const std::uint32_t size = source_.size(pair.source);
+      bool same = true;
+      for (std::uint32_t corner = 0; corner < size; ++corner) {
+        const VertexId vertex = source_.origin(source_.at(pair.source, corner));
+        same &= listed_image_[vertex] == target_.origin(corner_image(pair, corner));
+        reached[vertex] = 1;
+      }
+      if (!same) return false;
+    }
+  }
+  return std::accumulate(reached.begin(), reached.end(), std::size_t{0}) == match.vertices.size();
+}
+
+/// @return  whether the list is one-to-one between vertices that exist.
+template <bool kQuads>
+bool Judge<kQuads>::take_list(std::span<const VertexPair> vertices) {
+  PerVertex<std::uint8_t> hit(target_.mesh.vertex_count(), 0);
+  for (const auto [vertex, other] : vertices) {
+    if (vertex.value >= listed_image_.size() || other.value >= hit.size()) return false;
+    if (listed_image_[vertex].valid() || hit[other] != 0) return false;
+    listed_image_[vertex] = other;
+    hit[other] = 1;
+  }
+  return true;
+}
+
+template <bool kQuads>
+void Judge<kQuads>::face(Orientation orientation) {
+  orientation_ = orientation;
+  step_ = orientation == Orientation::Preserving ? 1 : 3;
+}
+
 template <bool kQuads>
 void Judge<kQuads>::judge_region(const Region& region) {
-  orientation_ = region.orientation;
-  step_ = orientation_ == Orientation::Preserving ? 1 : 3;
+  face(region.orientation);
   gather_pairs(region.faces);
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    ask_for_vertices(k);
-    map_corners(pairs_[k]);
-  }
+  if (!as_listed_) judge_vertices();
   if (pairs_.empty()) {
     fault(FaultKind::EmptyRegion, "region {} has no face", region_);
     return;
@@ -239,6 +293,15 @@ void Judge<kQuads>::ask_for_vertices(std::size_t number) const {
   }
 }
 
+/// Sentence 2.
+template <bool kQuads>
+void Judge<kQuads>::judge_vertices() {
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    ask_for_vertices(k);
+    map_corners(pairs_[k]);
+  }
+}
+
 /// Sentence 2, at one face.
 template <bool kQuads>
 void Judge<kQuads>::map_corners(FacePair pair) {
@@ -286,7 +349,8 @@ void Judge<kQuads>::map_disputed(const FacePair& pair, VertexId vertex, VertexId
   }
 }
 
-/// Sentence 3, at one face.
+/// Sentence 3, at one face. What two faces share is looked at from the one that stands first: if it is laid on what
+/// their partners share, both see it.
 /// @return  whether a face beside it stands before it.
 template <bool kQuads>
 bool Judge<kQuads>::judge_adjacency(std::uint32_t number) {
@@ -299,20 +363,21 @@ bool Judge<kQuads>::judge_adjacency(std::uint32_t number) {
   bool follows = false;
   for (std::uint32_t corner = 0; corner < size; ++corner) {
     const HalfedgeId beside = source_.mesh.twin(source_.at(pair.source, corner));
-    const HalfedgeId beside_target = target_.mesh.twin(side_image(pair, corner));
-    if (beside.valid()) {
-      const Stamped<std::uint32_t> other = face_image_[source_.face(beside)];
-      if (other.region == region) {
-        follows |= other.value < number;
-        if (beside_target.valid() && pairs_[other.value].target == target_.face(beside_target)) continue;
-      }
+    const Stamped<std::uint32_t> other = beside.valid() ? face_image_[source_.face(beside)] : Stamped<std::uint32_t>();
+    if (other.region != region) {
+      judge_side(pair, corner);
+    } else if (other.value < number) {
+      follows = true;
+    } else if (const std::uint32_t back = source_.corner(beside);
+               target_.mesh.twin(side_image(pair, corner)) != side_image(pairs_[other.value], back)) {
+      judge_side(pair, corner);
+      if (other.value > number) judge_side(pairs_[other.value], back);
     }
-    judge_side(pair, corner);
   }
   return follows;
 }
 
-/// Sentence 3 at a side beyond which there is no pair.
+/// Sentence 3 at one side.
 template <bool kQuads>
 void Judge<kQuads>::judge_side(const FacePair& pair, std::uint32_t corner) {
   const HalfedgeId beside = source_.mesh.twin(source_.at(pair.source, corner));
@@ -322,7 +387,7 @@ void Judge<kQuads>::judge_side(const FacePair& pair, std::uint32_t corner) {
   if (matched != matched_target) {
     fault(FaultKind::AdjacencyLost, "region {}, pair {} -> {}: adjacent to a matched face in the {} only, at side {}",
           region_, pair.source.value, pair.target.value, matched ? "source" : "target", corner);
-  } else if (matched) {
+  } else if (matched && pairs_[face_image_[source_.face(beside)].value].target != target_.face(beside_target)) {
     fault(FaultKind::AdjacencyLost, "region {}, pair {} -> {}: the faces beside it at side {}, {} and {}, are no pair",
           region_, pair.source.value, pair.target.value, corner, source_.face(beside).value,
           target_.face(beside_target).value);
