@@ -2,36 +2,33 @@
 
 #include <fmt/format.h>
 
+#include <quadmatch/match/words.hpp>
+
 #include "text.hpp"
 
 namespace quadmatch::cli {
+namespace {
+
+/// As the parser of options takes them.
+template <class Meaning, std::size_t kCount>
+std::map<std::string, Meaning> choices_of(const Words<Meaning, kCount>& words) {
+  return {words.begin(), words.end()};
+}
+
+}  // namespace
 
 const std::map<std::string, Algorithm>& algorithm_choices() {
-  static const std::map<std::string, Algorithm> choices{{"regions", Algorithm::Regions},
-                                                        {"lazy-greedy", Algorithm::LazyGreedy},
-                                                        {"greedy", Algorithm::Greedy},
-                                                        {"exact", Algorithm::Exact}};
+  static const std::map<std::string, Algorithm> choices = choices_of(kAlgorithmWords);
   return choices;
 }
 
 const std::map<std::string, OrientationChoice>& orientation_choices() {
-  static const std::map<std::string, OrientationChoice> choices{{"auto", OrientationChoice::Auto},
-                                                                {"preserving", OrientationChoice::Preserving},
-                                                                {"reversing", OrientationChoice::Reversing}};
+  static const std::map<std::string, OrientationChoice> choices = choices_of(kOrientationWords);
   return choices;
 }
 
 const std::map<std::string, bool Stages::*>& stage_choices() {
-  static const std::map<std::string, bool Stages::*> choices{{"equal-parts", &Stages::equal_parts},
-                                                             {"seams", &Stages::seams},
-                                                             {"ties", &Stages::ties},
-                                                             {"slides", &Stages::slides},
-                                                             {"ventures", &Stages::ventures},
-                                                             {"slivers", &Stages::slivers},
-                                                             {"islands", &Stages::islands},
-                                                             {"restarts", &Stages::restarts},
-                                                             {"acceptance", &Stages::acceptance},
-                                                             {"doubts", &Stages::doubts}};
+  static const std::map<std::string, bool Stages::*> choices = choices_of(kStageWords);
   return choices;
 }
 

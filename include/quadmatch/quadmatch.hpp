@@ -15,6 +15,7 @@
 #include <quadmatch/io/write_mesh.hpp>
 #include <quadmatch/match/exact.hpp>
 #include <quadmatch/match/matcher.hpp>
+#include <quadmatch/match/words.hpp>
 #include <quadmatch/mesh/check.hpp>
 #include <quadmatch/mesh/components.hpp>
 #include <quadmatch/mesh/mesh.hpp>

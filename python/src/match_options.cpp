@@ -11,24 +11,6 @@
 namespace quadmatch::python {
 namespace {
 
-constexpr Words<Algorithm, 4> kAlgorithms{{{"regions", Algorithm::Regions},
-                                           {"lazy-greedy", Algorithm::LazyGreedy},
-                                           {"greedy", Algorithm::Greedy},
-                                           {"exact", Algorithm::Exact}}};
-constexpr Words<OrientationChoice, 3> kOrientations{{{"auto", OrientationChoice::Auto},
-                                                     {"preserving", OrientationChoice::Preserving},
-                                                     {"reversing", OrientationChoice::Reversing}}};
-constexpr Words<bool Stages::*, 10> kStages{{{"equal-parts", &Stages::equal_parts},
-                                             {"seams", &Stages::seams},
-                                             {"ties", &Stages::ties},
-                                             {"slides", &Stages::slides},
-                                             {"ventures", &Stages::ventures},
-                                             {"slivers", &Stages::slivers},
-                                             {"islands", &Stages::islands},
-                                             {"restarts", &Stages::restarts},
-                                             {"acceptance", &Stages::acceptance},
-                                             {"doubts", &Stages::doubts}}};
-
 /// Do the options of the exact search go together with the rest?
 Expected<void> exact_options_fit(const MatchWords& words) {
   const bool exact = words.algorithm == "exact";
@@ -76,7 +58,7 @@ Expected<void> add_anchors(const MatchWords& words, const Mesh& source, const Me
 
 Expected<void> leave_out(const MatchWords& words, Stages& stages) {
   for (const std::string& word : words.without) {
-    const Expected<bool Stages::*> stage = meaning(kStages, "without", word);
+    const Expected<bool Stages::*> stage = meaning(kStageWords, "without", word);
     if (!stage) return Unexpected(stage.error());
     stages.** stage = false;
   }
@@ -86,11 +68,11 @@ Expected<void> leave_out(const MatchWords& words, Stages& stages) {
 }  // namespace
 
 Expected<OrientationChoice> orientation_of(const std::string& word) {
-  return meaning(kOrientations, "orientation", word);
+  return meaning(kOrientationWords, "orientation", word);
 }
 
 Expected<MatchOptions> options_of(const MatchWords& words, const Mesh& source, const Mesh& target) {
-  const Expected<Algorithm> algorithm = meaning(kAlgorithms, "algorithm", words.algorithm);
+  const Expected<Algorithm> algorithm = meaning(kAlgorithmWords, "algorithm", words.algorithm);
   if (!algorithm) return Unexpected(algorithm.error());
   const Expected<OrientationChoice> orientation = orientation_of(words.orientation);
   if (!orientation) return Unexpected(orientation.error());

@@ -1,7 +1,6 @@
 #pragma once
-/// Words that stand for choices, and the sentence for one that is none.
+/// The sentence for a word that stands for no choice.
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -9,12 +8,10 @@
 
 #include <fmt/format.h>
 
+#include <quadmatch/match/words.hpp>
 #include <quadmatch/mesh/expected.hpp>
 
 namespace quadmatch::python {
-
-template <class Meaning, std::size_t kCount>
-using Words = std::array<std::pair<const char*, Meaning>, kCount>;
 
 [[nodiscard]] inline Unexpected<Error> refuse(std::string message) {
   return Unexpected(Error{ErrorCode::BadArgument, std::move(message)});
