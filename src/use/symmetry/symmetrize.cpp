@@ -145,7 +145,7 @@ Expected<void> check_wishes(const MeshFile& file, const Symmetry& symmetry, cons
   if (options.carry.positions && !symmetry.plane->fits()) {
     return refuse(
         fmt::format("the model is posed: in the best plane, mirrored vertices miss their partners by {:.1f} % of the "
-                    "model's size; mirror positions in the rest pose, or copy other data with --only",
+                    "model's size; mirror positions in the rest pose, or leave them out of what is copied",
                     100 * symmetry.plane->error));
   }
   return {};
