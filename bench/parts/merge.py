@@ -1,4 +1,5 @@
 """Merges of two edits of one mesh, held against both edits made one after the other; and what a merge costs."""
+import itertools
 import json
 import pathlib
 import random
@@ -115,10 +116,10 @@ def write(path, mesh, seed=None):
     obj.write_obj(path, positions, faces)
 
 
-def choose(positions, faces, rng, away_from, meeting=None):
+def choose(positions, faces, rng, away_from, meeting=None, edits=EDITS):
     """A random edit away from these vertices, and touching some of those, if any are given."""
     for _ in range(ATTEMPTS):
-        edit = rng.choice(EDITS)
+        edit = rng.choice(edits)
         try:
             mesh, drawn = first_edit(positions, faces, edit, rng.randrange(1 << 30))
         except tool("edit_mesh").CannotEdit:
@@ -154,6 +155,11 @@ def leave_it_as_it_is(options, folder, positions, faces, edits):
         if is_same(options, folder / "base.obj", folder / "one.obj"):
             return True
     return False
+
+
+def faces_of(mesh):
+    """The faces, whatever order they are in and whichever corner they start at."""
+    return sorted(min(face[k:] + face[:k] for k in range(len(face))) for face in mesh.faces)
 
 
 def disjoint_pair(job):
@@ -200,6 +206,7 @@ def overlapping_pair(job):
         except LookupError:
             continue
     row = {"mesh": name_of(mesh), "seed": seed, "edits": [a[0], b[0]], "elsewhere": [c[0], d[0]]}
+    row["same edit"] = faces_of(edited(positions, faces, [a])) == faces_of(edited(positions, faces, [b]))
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         write(folder / "base.obj", tool("edit_mesh").EditableMesh(positions, faces, None))
@@ -211,6 +218,35 @@ def overlapping_pair(job):
             figures, status = merged(options, folder, prefer)
             row[prefer] = {"conflict": status == 1, "same": is_same(options, folder / "out.obj", folder / "truth.obj")}
     return row
+
+
+def same_edit(job):
+    """One edit made on both sides, and an edit of either side elsewhere: is it there once, and no conflict?"""
+    options, mesh, edit, seed = job
+    positions, faces = tool("objmesh").read_obj(mesh)
+    rng = random.Random(seed)
+    row = {"mesh": name_of(mesh), "seed": seed, "edit": edit}
+    for _ in range(ATTEMPTS):
+        try:
+            a, near_a = choose(positions, faces, rng, frozenset(), edits=[edit])
+            c, near_c = choose(positions, faces, rng, widened(faces, near_a, 2))
+            d, _ = choose(positions, faces, rng, widened(faces, near_a | near_c, 2))
+            truth = edited(positions, faces, [a, c, d])
+            sides = [edited(positions, faces, [a, c]), edited(positions, faces, [a, d])]
+            break
+        except LookupError:
+            continue
+    else:
+        return row | {"skipped": "no place for an edit"}
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        write(folder / "base.obj", tool("edit_mesh").EditableMesh(positions, faces, None))
+        row["no edit"] = leave_it_as_it_is(options, folder, positions, faces, [a, c, d])
+        write(folder / "ours.obj", sides[0])
+        write(folder / "theirs.obj", sides[1], seed)
+        write(folder / "truth.obj", truth)
+        _, status = merged(options, folder)
+        return row | {"clean": status == 0, "same": is_same(options, folder / "out.obj", folder / "truth.obj")}
 
 
 def unchanged_side(job):
@@ -257,6 +293,8 @@ def measure(options):
         "disjoint": in_parallel(options, disjoint_pair, [(options, meshes[k % len(meshes)], k) for k in range(disjoint)]),
         "overlapping": in_parallel(options, overlapping_pair,
                                    [(options, meshes[k % len(meshes)], 1000 + k) for k in range(overlapping)]),
+        "same": in_parallel(options, same_edit, [(options, mesh, edit, 2000 + k)
+                                                 for k, (mesh, edit) in enumerate(itertools.product(meshes, EDITS))]),
         "unchanged": in_parallel(options, unchanged_side, [(options, a, b) for a in meshes for b in meshes if a != b]),
         "cost": cost(options)})
 
@@ -267,7 +305,8 @@ def share(values):
 
 
 def counted(rows):
-    return [row for row in rows if not row["no edit"]]
+    """Those in which each side changed something, and not both the same."""
+    return [row for row in rows if not row.get("no edit") and not row.get("same edit") and "skipped" not in row]
 
 
 def bars(options):
@@ -275,13 +314,15 @@ def bars(options):
     if not figures:
         return []
     kinds = ("as they are", "renumbered")
-    disjoint, overlapping = counted(figures["disjoint"]), counted(figures["overlapping"])
+    disjoint, overlapping, same = (counted(figures.get(name, [])) for name in ("disjoint", "overlapping", "same"))
     return [Bar(f"disjoint edits: merged clean and isomorphic to both edits, share of {len(disjoint)} pairs",
                 share(row[kind]["clean"] and row[kind]["same"] for row in disjoint for kind in kinds), 1),
             Bar(f"overlapping edits: a conflict is reported, share of {len(overlapping)} pairs",
                 share(row[side]["conflict"] for row in overlapping for side in ("ours", "theirs")), 1),
             Bar("overlapping edits: the preferred side there and all other edits, share",
                 share(row[side]["same"] for row in overlapping for side in ("ours", "theirs")), 1),
+            Bar(f"the same edit on both sides: merged clean, and there once, share of {len(same)}",
+                share(row["clean"] and row["same"] for row in same), 1),
             Bar("an unchanged side gives the other side back, share",
                 share(same for row in figures["unchanged"] for same in row["same"]), 1),
             Bar(f"merge of {figures['cost']['faces']:,} faces, in times of match",
@@ -289,7 +330,8 @@ def bars(options):
 
 
 def left_out(figures):
-    return sum(row["no edit"] for row in figures["disjoint"] + figures["overlapping"])
+    rows = itertools.chain.from_iterable(figures.get(name, []) for name in ("disjoint", "overlapping", "same"))
+    return sum(row.get("no edit", False) for row in rows)
 
 
 def page(options):
@@ -309,7 +351,9 @@ def page(options):
             "isomorphic to the truth, with the copies numbered as they were and renumbered at random. *Overlapping*: two "
             "edits that change what is around the same vertex, and an edit of either side elsewhere; how many are reported as "
             "conflicts, and how many results are, with either side preferred, isomorphic to that side's edit and both edits elsewhere. "
-            f"Left out are {left_out(figures)} pairs in which a twist between symmetric parts left a mesh isomorphic to what it was: "
-            "by connectivity that side changed nothing, and the merge gives the other side back.\n",
+            f"The same edit was drawn for both sides in {sum(row.get('same edit', False) for row in figures['overlapping'])} of these "
+            "pairs, which is no conflict and counted apart: *the same edit* of each kind was made on both sides of each mesh, with an "
+            f"edit of either side elsewhere. Left out are {left_out(figures)} pairs in which a twist between symmetric parts left a mesh "
+            "isomorphic to what it was: by connectivity that side changed nothing, and the merge gives the other side back.\n",
             table(["edit", "disjoint pairs", "as they are", "renumbered", "overlapping pairs", "conflicts", "the rest is right"], lines),
             "\n" + bar_table(bars(options))]
