@@ -34,16 +34,10 @@ TRIED = {
         "*Exchange.* What differs are heavy edits and the most edited real pairs, where minimum cuts from the other "
         "side end in another optimum of nearly the same cost. Tried: calling ambiguous what costs nearly the same, which "
         "helped most.",
-    "carried UVs: exact, single edits":
-        "*Carried UVs.* Of a rotation-symmetric mesh that lost a row, nothing says which row was lost: the faces beside it, "
-        "which became taller, are doubtful, and what is doubtful is not carried unless asked for. Tried: faces that did not "
-        "move are certain; with `--allow-ambiguous` all of them are carried.",
-    "overlapping edits: a conflict":
-        "*Conflicts.* Twists of two neighbouring rings meet at no face: both can be done, and the merge has both.",
-    "merge of":
-        "*Time of a merge.* It reads three files, matches twice and checks its own result. Tried: a check of what can have "
-        "broken only. By processor time, which does not count on a second processor, the same is measured under "
-        "*What the uses cost* with other edits.",
+    "carried UVs: exact where":
+        "*Carried UVs.* Counted are corners on which all removals of rows agree that make this very mesh; of the others what is "
+        "carried is wrong as often as right. Tried: faces that did not move are certain, and the row beside one that is gone "
+        "as a whole, if the two part somewhere.",
     "vertices paired with the one opposite, edited":
         "*Mirrors of edited models.* Most of what is missed is part of a patch that was lifted, or in a rook, which is symmetric by "
         "rotation and not quite by mirrors; bent, it got bits of two of them. Tried: growth from the centre line, matching what "

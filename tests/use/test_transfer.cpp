@@ -675,6 +675,55 @@ TEST_CASE("an ambiguous region of which nothing moved is certain, unless somethi
   CHECK_FALSE(carried(stacked, bare(two), 0, true));
 }
 
+TEST_CASE("the row beside one that was taken out is certain where it could not be the one that is gone") {
+  constexpr std::uint32_t kColumns = 4, kRows = 6;
+  // Column 1 is gone, or in the first `turned` rows column 2; what is left of column 2 is in doubt. Without the last
+  // two faces column 2 is shorter than column 1.
+  const auto left_out = [&](bool shorter, std::uint32_t turned) {
+    MeshFile source = flat(kColumns, kRows);
+    PolygonSoup there = lifted(shapes::grid(kColumns - 1, kRows)), here = shapes::grid(kColumns, kRows);
+    if (shorter) {
+      for (PolygonSoup* soup : {&here, &there}) soup->corners.resize(soup->corners.size() - 8);
+      source.mesh = build(here);
+      source.texture_coordinates->corner_index.resize(here.corners.size());
+    }
+    Region left, right, doubtful{.ways = 2, .ambiguous = true};
+    for (std::uint32_t row = 0; row < kRows; ++row) {
+      const auto take = [&](Region& region, std::uint32_t column, std::uint32_t image) {
+        const FaceId face(row * kColumns + column);
+        if (face.value < source.mesh.face_count()) {
+          region.faces.push_back({face, FaceId(row * (kColumns - 1) + image), 0});
+        }
+      };
+      take(left, 0, 0);
+      if (row < turned) take(left, 1, 1);
+      if (row >= turned) take(doubtful, 2, 1);
+      take(right, 3, 2);
+    }
+    const MeshFile target = bare(there);
+    Match match;
+    match.regions = {left, right, doubtful};
+    std::map<VertexId, VertexId> image, origin;
+    for (const Region& region : match.regions) {
+      for (const FacePair& pair : region.faces) {
+        for (std::uint32_t corner = 0; corner < 4; ++corner) {
+          const VertexId v = source.mesh.corners()[4 * pair.source.value + corner];
+          const VertexId w = target.mesh.corners()[4 * pair.target.value + corner];
+          if (image.contains(v) || origin.contains(w)) continue;
+          image[v] = w;
+          origin[w] = v;
+        }
+      }
+    }
+    for (const auto& [v, w] : image) match.vertices.push_back({v, w});
+    const Transferred result = transferred(source, target, match);
+    return result.report.complete() ? 0 : result.report.left_out[0].faces;
+  };
+  CHECK(left_out(false, 0) == kRows);     // the mesh is the same whichever is gone
+  CHECK(left_out(true, 0) == 0);          // column 2 is too short to be the row that is gone
+  CHECK(left_out(true, 2) == kRows - 3);  // neither of them is gone as a whole
+}
+
 TEST_CASE("a match that is not sound for these meshes is refused, with its first fault") {
   const MeshFile source = flat(2, 2), target = bare(shapes::grid(2, 1));
   const Expected<Transferred> result = transfer(source, target, identity_without(source.mesh, {}));

@@ -40,7 +40,8 @@ struct TransferOptions {
   /// the first of the source's face; what is not matched follows in the target's order. Faces keep the target's
   /// winding, so in a reversing region corners run the other way from there.
   bool order = false;
-  /// Carry regions that connectivity and positions cannot place for certain, too.
+  /// Carry regions that connectivity and positions cannot place for certain, too. Certain is, of an ambiguous region,
+  /// also the row of quads beside one that is gone as a whole, if taking it out instead would leave another mesh.
   bool allow_ambiguous = false;
   /// Let positions decide: faces of an ambiguous region that did not move are certain.
   bool positions = true;
@@ -61,7 +62,7 @@ struct TransferredAttribute {
   std::vector<std::string> remarks = {};
 };
 
-/// A region from which nothing was carried, or where it is ambiguous only what did not move.
+/// A region from which nothing was carried, or where it is ambiguous only what is certain all the same.
 struct LeftOutRegion {
   enum class Reason { Ambiguous, LowConfidence };
   Reason reason = Reason::Ambiguous;
