@@ -34,10 +34,12 @@ TRIED = {
         "*Exchange.* What differs are heavy edits and the most edited real pairs, where minimum cuts from the other "
         "side end in another optimum of nearly the same cost. Tried: calling ambiguous what costs nearly the same, which "
         "helped most.",
-    "carried UVs: exact where":
-        "*Carried UVs.* Counted are corners on which all removals of rows agree that make this very mesh; of the others what is "
-        "carried is wrong as often as right. Tried: faces that did not move are certain, and the row beside one that is gone "
-        "as a whole, if the two part somewhere.",
+    "carried UVs: exact, single edits":
+        "*Carried UVs.* Of a rotation-symmetric mesh that lost a row, nothing says which row was lost: taking out either of two "
+        "leaves the very same mesh, so the faces beside it are doubtful, and what is doubtful is not carried unless asked for; "
+        "*where told* counts the corners on which all such removals agree. Tried: faces that did not move are certain, and so is "
+        "the row beside one that is gone as a whole, if the two part somewhere; with `--allow-ambiguous` all are carried, and "
+        "those of the toss are as often wrong as right.",
     "vertices paired with the one opposite, edited":
         "*Mirrors of edited models.* Most of what is missed is part of a patch that was lifted, or in a rook, which is symmetric by "
         "rotation and not quite by mirrors; bent, it got bits of two of them. Tried: growth from the centre line, matching what "
