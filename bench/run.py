@@ -10,18 +10,18 @@ and the plots anew and measures nothing. `--quick --docs build/quick` tries part
 """
 import sys
 
-from parts import (ablation, batch, blender, diff, edited, find, invariance, memory, merge, multi, pairs, pictures,
-                   plots, posed, python, quality, regions, report, skeleton, speed, symmetry, transfer, unrelated,
+from parts import (ablation, batch, blender, ceilings, diff, edited, find, invariance, memory, merge, multi, pairs,
+                   pictures, plots, posed, python, quality, regions, report, skeleton, speed, symmetry, transfer, unrelated,
                    uses_speed, web)
 from parts.common import ROOT, bar_table, parse
 from parts.tried import tried
 
 # In the order of the page.
 PARTS = {"speed": speed, "edited": edited, "memory": memory, "skeleton": skeleton, "quality": quality, "regions": regions,
-         "ablation": ablation, "pairs": pairs, "posed": posed, "multi": multi, "unrelated": unrelated, "transfer": transfer,
-         "diff": diff, "merge": merge, "symmetry": symmetry, "uses_speed": uses_speed, "report": report,
-         "pictures": pictures, "web": web, "python": python, "blender": blender, "batch": batch, "find": find,
-         "invariance": invariance}
+         "ceilings": ceilings, "ablation": ablation, "pairs": pairs, "posed": posed, "multi": multi, "unrelated": unrelated,
+         "transfer": transfer, "diff": diff, "merge": merge, "symmetry": symmetry, "uses_speed": uses_speed,
+         "report": report, "pictures": pictures, "web": web, "python": python, "blender": blender, "batch": batch,
+         "find": find, "invariance": invariance}
 WITHOUT_COLLECTION = ("speed", "memory", "skeleton", "uses_speed", "report", "web", "batch", "pictures", "find")
 
 
