@@ -350,6 +350,22 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("regions: what hangs on a ring that was turned by a quad is found where it lies, posed or not") {
+  const PolygonSoup bear = shapes::bear().soup;
+  const Mesh source = test::build(bear);
+  int rings = 0;
+  for (std::uint32_t crossed = 5; crossed < bear.corners.size() && rings < 6; crossed += 977) {
+    const auto edit = shapes::twist_ring(bear, HalfedgeId(crossed), 1);
+    if (!edit) continue;  // no ring
+    ++rings;
+    CAPTURE(crossed);
+    for (const PolygonSoup& target : {edit->soup, twisted(edit->soup), sculpted(edit->soup)}) {
+      CHECK(recall(judged(source, test::build(target)), edit->truth) >= 0.98);
+    }
+  }
+  CHECK(rings == 6);
+}
+
 TEST_CASE("regions: a piece cut out of a regular sheet is found by its lengths, posed or not") {
   constexpr std::uint32_t kSheet = 24, kPiece = 14, kFrom = 6;
   const auto place = [](std::uint32_t i, std::uint32_t j, double bent) {

@@ -18,6 +18,7 @@ struct Testimony {
   std::uint32_t votes = 0;      ///< edges of the rim beyond which a face of another region lies as it should
   std::uint32_t hop_votes = 0;  ///< the same, beyond one or two quads that only one mesh has
   bool whole_component = true;  ///< nothing is beyond the rim, in either mesh
+  bool fills_gap = true;        ///< or only faces of believed regions, in both: what they left free is this, in both
 };
 
 /// Regions that stand or fall together.
@@ -81,7 +82,7 @@ class Judge {
     if (has_evidence(group) || is_pinned(pairs)) return true;
     const Testimony testimony = hear(pairs);
     if (testimony.votes + 0.67 * testimony.hop_votes >= 2) return true;
-    if (testimony.whole_component && disagreeing(pairs) == 0) return true;
+    if ((testimony.whole_component || testimony.fills_gap) && disagreeing(pairs) == 0) return true;
     if (!likelihood_) likelihood_.emplace(bench_, true);
     const double needed = likelihood_->log_places() * (bench_.misfit.uses_lengths() ? 1 : 2);
     return likelihood_->of(pairs) + kVote * testimony.votes + kHopVote * testimony.hop_votes >= needed;
@@ -90,6 +91,7 @@ class Judge {
  private:
   [[nodiscard]] Testimony hear(const std::vector<Candidate>& pairs) const {
     Testimony testimony;
+    const Patchwork& patchwork = bench_.patchwork;
     const std::uint32_t region = bench_.patchwork.region(source_.face(pairs.front().source));
     for (const Candidate& pair : pairs) {
       auto [s, t] = pair;
@@ -98,6 +100,9 @@ class Judge {
         const bool matched = beside.valid() && bench_.patchwork.is_matched(source_.face(beside));
         if (!matched || bench_.patchwork.region(source_.face(beside)) != region) {
           testimony.whole_component = testimony.whole_component && !beside.valid() && !beside_target.valid();
+          testimony.fills_gap = testimony.fills_gap && beside.valid() == beside_target.valid() &&
+                                (!beside.valid() || (is_believed(source_.face(beside)) &&
+                                                     is_believed(patchwork.origin(target_.face(beside_target)))));
           if (matched && bench_.patchwork.image(beside) == beside_target) {
             testimony.votes += believed_[bench_.patchwork.region(source_.face(beside))];
           } else if (agrees_after_hop(bench_, {s, t}, [&](std::uint32_t other) { return believed_[other]; })) {
@@ -109,6 +114,10 @@ class Judge {
       } while (s != pair.source);
     }
     return testimony;
+  }
+  /// @param face  of the source, or none
+  [[nodiscard]] bool is_believed(FaceId face) const {
+    return face.valid() && bench_.patchwork.is_matched(face) && believed_[bench_.patchwork.region(face)];
   }
   [[nodiscard]] bool is_pinned(const std::vector<Candidate>& pairs) const {
     const std::vector<Candidate>& pins = bench_.misfit.pins();

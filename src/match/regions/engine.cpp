@@ -139,6 +139,10 @@ class Engine {
       if (undo_slides(bench_) == 0) break;
       move();
     }
+    if (may_turn() && report() && undo_turns(bench_) > 0) {
+      misfit_.calibrate(patchwork_);
+      move();
+    }
     drop_misfits(bench_);
     if (stages_.ventures && !misfit_.uses_lengths()) venture_on(bench_);
     if (stages_.slivers) match_slivers(bench_);
@@ -151,6 +155,11 @@ class Engine {
     move();
     drop_misfits(bench_);
     if (stages_.slivers) match_slivers(bench_, true);
+  }
+  /// May parts be turned as a whole? Where the source is placed and not stretched positions have settled that, and so
+  /// has a user who anchors.
+  [[nodiscard]] bool may_turn() const {
+    return stages_.slides && pinned_.empty() && (!misfit_.is_placed() || misfit_.is_stretched());
   }
   void move() {
     if (stages_.seams && report()) move_seams(bench_, seams_);

@@ -67,6 +67,10 @@ std::size_t undo_slides(Workbench& bench);
 /// Where lengths fit badly, would many of them fit well one quad on? @pre misfit uses lengths
 [[nodiscard]] bool slides_explain(Workbench& bench);
 
+/// Turns: offer what hangs on the rest by a closed ring of quads turned about it, as a whole. @return faces whose
+/// partner changed. @pre not placed
+std::size_t undo_turns(Workbench& bench);
+
 /// Find out where the source lies in the space of the target, for misfit's distances; nowhere, if the model is posed.
 void place(Workbench& bench);
 

@@ -176,6 +176,17 @@ double Misfit::strict_error(Candidate pair) const {
   return raw_error(pair, stretched_->lengths) / (known * sigma_ + (1 - known) * sigma_far_);
 }
 
+double Misfit::taper_error(Candidate pair) const {
+  if (sides_.source.mesh.size(sides_.source.mesh.face(pair.source)) != 4) return 0;
+  double difference[4] = {};
+  std::size_t corner = 0;
+  for_each_corner(pair, lengths_[0], [&](const Lengths::Pair& here, const Lengths::Pair& there) {
+    difference[corner++] = there.edge - here.edge;
+  });
+  const double along = difference[0] - difference[2], across = difference[1] - difference[3];
+  return std::sqrt((along * along + across * across) / 2);
+}
+
 std::uint32_t Misfit::disagreeing_corners(Candidate pair) const {
   std::uint32_t disagreeing = 0;
   auto [s, t] = pair;

@@ -57,6 +57,11 @@ class Misfit {
   /// The same in units of what is usual in the whole model, even where a stretched one fits worse all around: wrong
   /// pairs side by side must not excuse each other. @pre uses_lengths().
   [[nodiscard]] double strict_error(Candidate pair) const;
+  /// The same, but of lengths as they are, and not in units of anything. @pre uses_lengths().
+  [[nodiscard]] double plain_error(Candidate pair) const { return raw_error(pair, lengths_[0]); }
+  /// The root mean square by which the logarithms of the ratios of opposite edges differ, which bending and sculpting
+  /// change less than lengths; 0 for all faces but quads. @pre uses_lengths().
+  [[nodiscard]] double taper_error(Candidate pair) const;
   [[nodiscard]] std::uint32_t disagreeing_corners(Candidate pair) const;
   /// Corners where both meshes have an extraordinary vertex of the same code.
   [[nodiscard]] std::uint32_t telling_corners(Candidate pair) const;
