@@ -366,6 +366,34 @@ TEST_CASE("regions: what hangs on a ring that was turned by a quad is found wher
   CHECK(rings == 6);
 }
 
+TEST_CASE("regions: a removed row of quads is left out from end to end, beside extraordinary vertices too") {
+  const PolygonSoup bear = shapes::bear().soup;
+  const Mesh source = test::build(bear);
+  int rows = 0;
+  for (std::uint32_t crossed = 3; crossed < bear.corners.size() && rows < 8; crossed += 1201) {
+    const auto edit = shapes::remove_edge_loop(bear, HalfedgeId(crossed));
+    if (!edit) continue;
+    ++rows;
+    CAPTURE(crossed);
+    const Match match = judged(source, test::build(edit->soup));
+    std::vector<FacePair> pairs = pairs_of(match);
+    CHECK(pairs.size() == edit->truth.size());
+    // Face by face the row that is free is entered from the one before it: every face has two that are free beside it.
+    std::vector<bool> free(source.face_count(), true);
+    for (const FacePair& pair : pairs) free[pair.source.value] = false;
+    for (std::uint32_t f = 0; f < source.face_count(); ++f) {
+      if (!free[f]) continue;
+      const HalfedgeId first = source.first(FaceId(f));
+      const auto goes_on = [&](std::uint32_t k) {
+        const HalfedgeId beyond = source.twin(HalfedgeId(first.value + k));
+        return !beyond.valid() || free[source.face(beyond).value];
+      };
+      CHECK(((goes_on(0) && goes_on(2)) || (goes_on(1) && goes_on(3))));
+    }
+  }
+  CHECK(rows == 8);
+}
+
 TEST_CASE("regions: a piece cut out of a regular sheet is found by its lengths, posed or not") {
   constexpr std::uint32_t kSheet = 24, kPiece = 14, kFrom = 6;
   const auto place = [](std::uint32_t i, std::uint32_t j, double bent) {

@@ -32,7 +32,7 @@ enum class OrientationChoice {
 /// The stages of Algorithm::Regions, each of which can be left out for comparison.
 struct Stages {
   bool equal_parts = true;  ///< components that are the same are laid whole, before anything burns
-  bool seams = true;       ///< seams between regions move to where they cost least
+  bool seams = true;       ///< seams between regions move to where they cost least, and what is left free to whole rows
   bool ties = true;        ///< positions settle what corners and lengths cannot
   bool slides = true;      ///< rings matched a step round are turned back, and so is what hangs on them
   bool ventures = true;    ///< without lengths, regions go on past corners that disagree

@@ -122,6 +122,7 @@ class Engine {
       mend();
     }
     if (misfit_.is_stretched() && report()) mend();  // by now more is known of how
+    if (stages_.seams && misfit_.uses_lengths() && report()) straighten_rows(bench_);
     if (stages_.acceptance) drop_unlikely(bench_);
     if (stages_.doubts && report()) doubts_ = set_doubts_apart(bench_);
   }

@@ -71,6 +71,10 @@ std::size_t undo_slides(Workbench& bench);
 /// partner changed. @pre not placed
 std::size_t undo_turns(Workbench& bench);
 
+/// Rows: where a row of quads was removed or inserted, let what is left free be a whole row, from end to end. @return
+/// faces whose partner changed.
+std::size_t straighten_rows(Workbench& bench);
+
 /// Find out where the source lies in the space of the target, for misfit's distances; nowhere, if the model is posed.
 void place(Workbench& bench);
 
