@@ -12,28 +12,28 @@ TRIED = {
         "that give up where they cost more than can be gained; costs and target places kept. What is left is mostly the "
         "fire itself, and after heavy edits minimum cuts.",
     "regions, plain: precision of unloop":
-        "*Removed rows.* Which of two rows was removed is a guess where edge lengths do not tell; what lacks precision "
-        "are faces of the removed row, matched in place of their neighbours. Tried: lengths, and calling ambiguous what "
-        "they do not decide ([why](design/009-ambiguity.md)); here they seem to decide, and wrongly.",
+        "*Removed rows.* Which of two rows was removed is the toss of a coin where the row beside it is as regular "
+        "([how often](#what-nobody-can-know)). Tried: lengths; calling ambiguous what they do not decide "
+        "([why](design/009-ambiguity.md)); leaving out whole rows only, which found almost all that can be known.",
     "regions, connectivity: near":
-        "*Removed and twisted rows without positions.* Of a removed row one of two is right by the toss of a coin; a "
-        "ring turned against the rest looks the same until an extraordinary vertex disagrees, and beyond a symmetric "
-        "part none does. Tried: slides offered where corners disagree, which helped twisted rings much and "
-        "removed rows not at all. Beside removed rows most of what is wrong is reported ambiguous, beyond twisted "
-        "rings hardly any.",
+        "*Removed and twisted rows without positions.* Which row of a run of parallel ones was removed nobody can know; "
+        "[no method can be expected to reach the bar](#what-nobody-can-know), and beside it most of what is wrong is reported "
+        "ambiguous. Tried: slides offered where corners disagree; parts beyond a ring turned as a whole, which settled "
+        "twisted rings; leaving out whole rows only, which without lengths helps nothing.",
     "regions, connectivity: recall of heavy":
         "*Heavy edits without positions.* Half of the faces of a small model then have a corner that an edit changed. "
         "Tried: growth past such corners, cut back to what agrees beyond (ventures), one vote for slivers, islands "
-        "judged by codes, restarts that ask for as much as there are places left; all of them helped. What is still lost "
-        "was never grown, or lies a row off.",
+        "judged by codes, restarts that ask for as much as there are places left, all of which helped; matching from the other "
+        "mesh, and leaving out whole rows only, which did not. What is still lost lies a row off, where on the small and on "
+        "the evenly divided models the true match costs more than the one found; or it is pieces of some faces "
+        "cut off on all sides, whose corners say less than the number of places where they might lie.",
     "regions, bent: recall of twist":
-        "*Twisted rings of posed models.* As without positions: the part beyond the ring lies as well a step round, and "
-        "the lengths of a posed model hardly say otherwise. Tried: slides, and lengths compared as if the model were not "
-        "stretched, which helps all else on sculpted models, but here lets a part that slid as a whole explain itself.",
+        "*Twisted rings of posed models.* The part beyond the ring lies as well a step round. Tried: slides; lengths compared as "
+        "if the model were not stretched, which lets a part that slid as a whole explain itself; and parts beyond a ring turned "
+        "as a whole, by lengths and tapers as they are, which helped most.",
     "invariance: same pairs, A and B swapped":
-        "*Exchange.* What differs are heavy edits and the most edited real pairs, where minimum cuts from the other "
-        "side end in another optimum of nearly the same cost. Tried: calling ambiguous what costs nearly the same, which "
-        "helped most.",
+        "*Exchange.* What differs are pairs of as many faces, vertices and edges each; all others are matched in the same "
+        "direction. Tried: calling ambiguous what costs nearly the same.",
     "carried UVs: exact, single edits":
         "*Carried UVs.* Of a rotation-symmetric mesh that lost a row, nothing says which row was lost: taking out either of two "
         "leaves the very same mesh, so the faces beside it are doubtful, and what is doubtful is not carried unless asked for; "
