@@ -66,7 +66,7 @@ class Rows {
         mesh_(view_.mesh()),
         walked_(mesh_.halfedge_count(), false),
         seen_(mesh_.face_count(), 0),
-        settled_(mesh_.halfedge_count(), false) {}
+        settled_(mesh_.halfedge_count(), 0) {}
 
   std::size_t straighten() {
     std::vector<Offer> offers;
@@ -75,10 +75,10 @@ class Rows {
       for (const std::uint32_t corner : {0U, 1U}) offer_row(HalfedgeId(mesh_.first(FaceId(f)).value + corner), offers);
     }
     std::stable_sort(offers.begin(), offers.end(), [](const Offer& a, const Offer& b) {
-      return a.free * b.row.size() > b.free * a.row.size();  // by shares
+      return a.free > b.free;  // what explains most comes first
     });
     std::size_t changed = 0;
-    for (const Offer& offer : offers) changed += take(offer.row);
+    for (const Offer& offer : offers) changed += take(offer);
     return changed;
   }
 
@@ -124,10 +124,13 @@ class Rows {
         std::count_if(row.begin(), row.end(), [&](HalfedgeId entry) { return view_.is_free(mesh_.face(entry)); }));
   }
   void settle(const Row& row) {
-    for (const HalfedgeId entry : row) settled_[entry.value] = settled_[turned(mesh_, entry, 2).value] = true;
+    const auto size = static_cast<std::uint32_t>(row.size());
+    for (const HalfedgeId entry : row) settled_[entry.value] = settled_[turned(mesh_, entry, 2).value] = size;
   }
 
-  std::size_t take(const Row& row) {
+  std::size_t take(const Offer& offer) {
+    const Row& row = offer.row;
+    free_of_row_ = free_faces(row);
     std::vector<Column> columns;
     std::size_t whole = 0;
     ++now_;
@@ -149,7 +152,7 @@ class Rows {
       extra += extra_cost(column);
       moved += column.size() - 1;
     }
-    const auto free = static_cast<double>(free_faces(row));
+    const auto free = static_cast<double>(free_of_row_);
     if (extra > kMostExtra * static_cast<double>(moved) + kMostExtraByFree * free) return 0;
     for (const Column& column : columns) move_up(column);
     settle(row);
@@ -170,7 +173,7 @@ class Rows {
       const HalfedgeId next = beside(mesh_, column.back(), side);
       if (!next.valid() || seen_[mesh_.face(next)] == now_) return std::nullopt;
       const bool is_free = view_.is_free(mesh_.face(next));
-      if (is_free && settled_[next.value]) return std::nullopt;
+      if (is_free && settled_[next.value] >= free_of_row_) return std::nullopt;
       if (!is_free && beside(view_.other(), view_.partner(column.back()), side) != view_.partner(next)) {
         return std::nullopt;
       }
@@ -218,7 +221,8 @@ class Rows {
   const Mesh& mesh_;
   std::vector<bool> walked_;  // half-edges of rows that were looked at
   PerFace<std::uint32_t> seen_;
-  std::vector<bool> settled_;  // those of rows that are free from end to end
+  std::vector<std::uint32_t> settled_;  // for those of rows that are free from end to end, how long these are
+  std::size_t free_of_row_ = 0;         // faces of the row that is offered
   std::uint32_t now_ = 0;
 };
 
