@@ -25,7 +25,7 @@ TRIED = {
         "Tried: growth past such corners, cut back to what agrees beyond (ventures), one vote for slivers, islands "
         "judged by codes, restarts that ask for as much as there are places left, all of which helped; matching from the other "
         "mesh, and leaving out whole rows only, which did not; restarts near the partners of what is matched around, which found "
-        "a twentieth of one model and laid a leg of another wrongly. What is still lost lies a row off, where on the small and on "
+        "pieces of one model and laid a leg of another wrongly. What is still lost lies a row off, where on the small and on "
         "the evenly divided models the true match costs more than the one found; or it is pieces of some faces "
         "cut off on all sides, whose corners say less than the number of places where they might lie.",
     "regions, bent: recall of twist":
