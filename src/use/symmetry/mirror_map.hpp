@@ -22,19 +22,26 @@ struct Germ {
 enum class Fit {
   Free,      ///< both are free, and have equally many corners
   Vertices,  ///< and their vertices have no other partners
-  Looks,     ///< and look alike: valence, boundary, non-quads
+  Notch,     ///< and two of their sides lie on each other already
+  Looks,     ///< or, instead, they look alike: valence, boundary, non-quads
 };
 
 /// Its own inverse at every moment: with a face comes its partner.
 class MirrorMap {
  public:
-  MirrorMap(const Mesh& mesh, const PerFan<VertexCode>& codes);
+  /// @param laid  what is laid there is not laid here again
+  MirrorMap(const Mesh& mesh, const PerFan<VertexCode>& codes, const MirrorMap* laid = nullptr);
 
   /// Lay two faces on each other, if they fit.
   bool lay(Germ germ, Fit fit);
   /// Go on beyond the sides of all that is laid, breadth first. O(faces laid).
   /// @param most  faces laid at most
   void grow(Fit fit, std::uint32_t most = 0xffffffff);
+  /// Lay what lies in notches of what is laid though it does not look alike.
+  void fill_notches();
+  /// Give up faces of which what is laid goes on beyond one side at most; then those that are now such, so often.
+  /// @return  what is laid no more
+  std::vector<Germ> erode(int rounds);
   /// Lay the faces beside what is laid whose vertices fit though they do not look alike, and nothing beyond them.
   void cover_rim();
   /// Nothing is laid. O(faces that were).
@@ -55,11 +62,16 @@ class MirrorMap {
   [[nodiscard]] std::uint32_t conflicts() const { return conflicts_; }
 
  private:
+  [[nodiscard]] bool is_taken(HalfedgeId h) const {
+    return image_[h].valid() || (other_ != nullptr && other_->image(h).valid());
+  }
+  [[nodiscard]] bool is_notch(Germ germ) const;
   bool join(VertexId v, VertexId w);
   bool join_corners(Germ germ, Fit fit);
 
   const Mesh& mesh_;
   const PerFan<VertexCode>& codes_;
+  const MirrorMap* other_;
   PerHalfedge<HalfedgeId> image_;
   PerVertex<VertexId> vertex_;
   std::vector<Germ> laid_;
