@@ -41,11 +41,11 @@ class Islands {
 
   void run() {
     const std::vector<Germ> in_doubt = map_.erode(kRowsInDoubt);
-    map_.fill_notches();
+    for (int row = 0; row < kRowsInDoubt; ++row) map_.cover_rim(Fit::Notch);
     while (kLocal * (mesh_.face_count() - map_.faces()) <= mesh_.face_count()) {
       look_for_hops();
       const Island best = most_agreed();
-      if (best.votes < kLeastVotes) break;
+      if (!is_lifted_) break;
       grow(best.germ);
       for (const Germ& germ : island_.laid()) map_.lay(germ, Fit::Free);
     }
@@ -95,6 +95,7 @@ class Islands {
   /// Of the maps that hops lead to, the one with most hops and faces.
   Island most_agreed() {
     Island best;
+    is_lifted_ = false;
     for (std::size_t k = 0; k < kHops.size(); ++k) {
       PerHalfedge<HalfedgeId> tried(mesh_.halfedge_count());  // where a germ led that is part of a map looked at
       for (const Hop& hop : hops_) {
@@ -103,7 +104,9 @@ class Islands {
         grow(germ);
         const Island island{germ, k > 0 || looks_right() ? votes(k) : 0, island_.faces()};
         for (const Germ& laid : island_.laid()) mark(laid, tried);
-        if (island.votes >= kLeastVotes && island.votes + island.faces > best.votes + best.faces) best = island;
+        if (!is_likely(island)) continue;
+        is_lifted_ = is_lifted_ || k > 0;
+        if (island.votes + island.faces > best.votes + best.faces) best = island;
       }
     }
     return best;
@@ -117,6 +120,11 @@ class Islands {
       here = mesh_.next(here);
       there = mesh_.prev(there);
     }
+  }
+
+  /// Do hops lead there from all around?
+  static bool is_likely(const Island& island) {
+    return island.votes >= kLeastVotes && island.votes * island.votes >= island.faces;
   }
 
   /// Do corners well inside of the island look like those opposite?
@@ -154,6 +162,7 @@ class Islands {
   MirrorMap& map_;
   MirrorMap island_;
   std::vector<Hop> hops_;
+  bool is_lifted_ = false;  // is there an island to which hops over rows lead?
 };
 
 }  // namespace

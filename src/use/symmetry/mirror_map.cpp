@@ -77,15 +77,6 @@ void MirrorMap::grow(Fit fit, std::uint32_t most) {
   }
 }
 
-void MirrorMap::fill_notches() {
-  for (std::size_t before = 0; before < laid_.size();) {
-    before = laid_.size();
-    looked_beyond_ = 0;
-    grow(Fit::Notch);
-  }
-  looked_beyond_ = 0;
-}
-
 std::vector<Germ> MirrorMap::erode(int rounds) {
   PerFace<std::uint8_t> is_off(mesh_.face_count(), 0);
   const auto holds = [&](HalfedgeId h) {
@@ -110,12 +101,12 @@ std::vector<Germ> MirrorMap::erode(int rounds) {
   return off;
 }
 
-void MirrorMap::cover_rim() {
+void MirrorMap::cover_rim(Fit fit) {
   const std::size_t inside = laid_.size();
   for (std::size_t k = 0; k < inside; ++k) {
     for (const HalfedgeId h : mesh_.halfedges(mesh_.face(laid_[k].from))) {
       const HalfedgeId beside = mesh_.twin(h), opposite = mesh_.twin(image_[h]);
-      if (beside.valid() && opposite.valid()) lay({beside, opposite}, Fit::Vertices);
+      if (beside.valid() && opposite.valid()) lay({beside, opposite}, fit);
     }
   }
 }

@@ -37,13 +37,11 @@ class MirrorMap {
   /// Go on beyond the sides of all that is laid, breadth first. O(faces laid).
   /// @param most  faces laid at most
   void grow(Fit fit, std::uint32_t most = 0xffffffff);
-  /// Lay what lies in notches of what is laid though it does not look alike.
-  void fill_notches();
   /// Give up faces of which what is laid goes on beyond one side at most; then those that are now such, so often.
   /// @return  what is laid no more
   std::vector<Germ> erode(int rounds);
-  /// Lay the faces beside what is laid whose vertices fit though they do not look alike, and nothing beyond them.
-  void cover_rim();
+  /// Lay the faces beside what is laid that fit, though they do not look alike, and nothing beyond them.
+  void cover_rim(Fit fit);
   /// Nothing is laid. O(faces that were).
   void clear();
 

@@ -89,7 +89,7 @@ class SymmetryFinder {
     }
     lay_believed(match, images);
     if (symmetry.complete) LeftOver(mesh_, codes_, components_, settled_, image_options(), map_).lay();
-    for (int layer = 0; layer < kRimLayers; ++layer) map_.cover_rim();
+    for (int layer = 0; layer < kRimLayers; ++layer) map_.cover_rim(Fit::Vertices);
     drop_one_sided();
     if (symmetry.mirrors == 0 && !components_.face_count.empty()) {
       symmetry.mirrors = laid_in(largest) > 0 ? 1 : 0;
@@ -284,7 +284,6 @@ class SymmetryFinder {
     }
     lay_islands(mesh_, codes_, map_);
     map_.grow(Fit::Looks);
-    map_.fill_notches();
   }
 
   /// Give up what lies on its own side.
