@@ -15,7 +15,7 @@ constexpr std::uint32_t kLocal = 8;
 /// Where no row is skipped, of so many corners well inside of an island one may look other than the one opposite.
 constexpr std::size_t kAlike = 8;
 /// Hops that must agree; fewer could by chance.
-constexpr std::uint32_t kLeastVotes = 3;
+constexpr std::uint32_t kLeastVotes = 5;
 /// Of the hops over so many rows that lead to faces of an island, how many must lead to their partners.
 constexpr double kAgree = 0.75;
 
@@ -40,17 +40,21 @@ class Islands {
       : mesh_(mesh), codes_(codes), map_(map), island_(mesh, codes, &map) {}
 
   void run() {
+    const std::vector<Germ> before = map_.laid();
+    bool any = false;
     const std::vector<Germ> in_doubt = map_.erode(kRowsInDoubt);
     for (int row = 0; row < kRowsInDoubt; ++row) map_.cover_rim(Fit::Notch);
     while (kLocal * (mesh_.face_count() - map_.faces()) <= mesh_.face_count()) {
       look_for_hops();
       const Island best = most_agreed();
       if (!is_lifted_) break;
+      any = true;
       grow(best.germ);
       for (const Germ& germ : island_.laid()) map_.lay(germ, Fit::Free);
     }
     island_.clear();
-    for (const Germ& germ : in_doubt) map_.lay(germ, Fit::Free);
+    if (!any) map_.clear();
+    for (const Germ& germ : any ? in_doubt : before) map_.lay(germ, Fit::Free);
   }
 
  private:

@@ -149,7 +149,7 @@ class SymmetryFinder {
       }
       Tally& tally = tallies[components_.of_face[region.faces.front().source]];
       const bool is_large = kLeastPart * region.faces.size() >= tally.faces;
-      tally.is_mixed = tally.is_mixed || (is_large && kMixed * same > same + across);
+      tally.is_mixed = tally.is_mixed || (is_large && same <= across && kMixed * same > same + across);
     }
   }
 
