@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -40,7 +41,9 @@ void for_each_leaving_dart(const Mesh& mesh, FanId fan, Visit visit) {
 /// Finds the spoke that leaves a node along a dart.
 class SpokeIndex {
  public:
-  explicit SpokeIndex(const Mesh& mesh) : of_halfedge_(mesh.halfedge_count()) {}
+  /// Room for a number at each half-edge, untouched: few will have one.
+  explicit SpokeIndex(const Mesh& mesh)
+      : of_halfedge_(std::make_unique_for_overwrite<std::uint32_t[]>(mesh.halfedge_count())) {}
 
   /// Forget the backward darts; forward ones are overwritten, since the second graph has all spokes of the first.
   void restart() { backward_.clear(); }
@@ -49,18 +52,18 @@ class SpokeIndex {
     if (dart.backward) {
       backward_.emplace_back(dart.halfedge, spoke);
     } else {
-      of_halfedge_[dart.halfedge] = spoke;
+      of_halfedge_[dart.halfedge.value] = spoke;
     }
   }
   void finish() { std::sort(backward_.begin(), backward_.end()); }
   /// @pre the dart was added.
   [[nodiscard]] std::uint32_t find(Dart dart) const {
-    if (!dart.backward) return of_halfedge_[dart.halfedge];
+    if (!dart.backward) return of_halfedge_[dart.halfedge.value];
     return std::lower_bound(backward_.begin(), backward_.end(), std::pair(dart.halfedge, 0U))->second;
   }
 
  private:
-  PerHalfedge<std::uint32_t> of_halfedge_;
+  std::unique_ptr<std::uint32_t[]> of_halfedge_;
   std::vector<std::pair<HalfedgeId, std::uint32_t>> backward_;
 };
 

@@ -15,12 +15,13 @@ void add_edge(VertexCode& code) {
 }  // namespace
 
 PerFan<VertexCode> vertex_codes(const Mesh& mesh) {
-  // One edge for each corner in file order, then the edge that closes a boundary fan: faster than walking the fans.
+  // One edge for each corner in file order, and at the corner where a boundary fan ends the edge that closes it: faster
+  // than walking the fans.
   PerFan<VertexCode> codes(mesh.fan_count());
-  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) add_edge(codes[mesh.fan(HalfedgeId(h))]);
-  for (std::uint32_t p = 0; p < mesh.fan_count(); ++p) {
-    if (!mesh.is_boundary(FanId(p))) continue;
-    VertexCode& code = codes[FanId(p)];
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+    VertexCode& code = codes[mesh.fan(HalfedgeId(h))];
+    add_edge(code);
+    if (mesh.twin(HalfedgeId(h)).valid()) continue;
     add_edge(code);
     code.value |= kOnBoundary;
   }

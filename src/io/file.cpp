@@ -13,8 +13,9 @@
 
 #include <fmt/format.h>
 
+#include <quadmatch/mesh/large_pages.hpp>
+
 #include "descriptor.hpp"
-#include "large_pages.hpp"
 
 namespace quadmatch {
 namespace {
@@ -125,7 +126,7 @@ bool FileBytes::resize(std::size_t size) {
   if (room == nullptr) return false;
   static_cast<void>(data_.release());
   data_.reset(static_cast<char*>(room));
-  if (size > size_) io::prefer_large_pages(data_.get(), size);
+  if (size > size_) prefer_large_pages(data_.get(), size);
   size_ = size;
   std::memset(data_.get() + size, '\n', kPadding);
   return true;

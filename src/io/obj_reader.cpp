@@ -6,8 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <quadmatch/mesh/large_pages.hpp>
+
 #include "formats.hpp"
-#include "large_pages.hpp"
 #include "line_chunks.hpp"
 #include "line_scanner.hpp"
 #include "obj_lines.hpp"

@@ -2,13 +2,15 @@
 
 #include <quadmatch/mesh/components.hpp>
 
+#include <quadmatch/mesh/large_pages.hpp>
+
 namespace quadmatch {
 
 Components connected_components(const Mesh& mesh) {
   constexpr std::uint32_t kUnreached = FaceId::kNone;
   Components components{PerFace<std::uint32_t>(mesh.face_count(), kUnreached), {}};
   std::vector<FaceId> reached;
-  reached.reserve(mesh.face_count());
+  reserve_on_large_pages(reached, mesh.face_count());
   for (std::uint32_t lowest = 0; lowest < mesh.face_count(); ++lowest) {
     if (components.of_face[FaceId(lowest)] != kUnreached) continue;
     const auto number = static_cast<std::uint32_t>(components.face_count.size());

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <quadmatch/mesh/large_pages.hpp>
+
 namespace quadmatch {
 namespace {
 
@@ -84,7 +86,7 @@ Expected<Mesh> Mesh::build(PolygonSoup soup) {
   } else {
     mesh.face_starts_ = std::move(soup.face_starts);
     mesh.face_count_ = static_cast<std::uint32_t>(mesh.face_starts_.size()) - 1;
-    mesh.face_of_.resize(corners);
+    assign_on_large_pages(mesh.face_of_, corners, std::uint32_t{0});
     for (std::uint32_t f = 0; f < mesh.face_count_; ++f) {
       std::fill(mesh.face_of_.begin() + mesh.face_starts_[f], mesh.face_of_.begin() + mesh.face_starts_[f + 1], f);
     }
@@ -97,8 +99,9 @@ Expected<Mesh> Mesh::build(PolygonSoup soup) {
 /// Twins by a counting sort of the half-edges by their lower end: linear, and blind to the order of the faces.
 void Mesh::pair_twins() {
   const std::uint32_t count = halfedge_count();
-  twin_.assign(count, HalfedgeId());
-  std::vector<std::uint32_t> starts(std::size_t{vertex_count_} + 1, 0);
+  assign_on_large_pages(twin_, count, HalfedgeId());
+  std::vector<std::uint32_t> starts;
+  assign_on_large_pages(starts, std::size_t{vertex_count_} + 1, std::uint32_t{0});
   const auto ends_of = [this](std::uint32_t h) { return std::pair(origin_[h].value, tip(HalfedgeId(h)).value); };
   for (std::uint32_t h = 0; h < count; ++h) {
     const auto [from, to] = ends_of(h);
@@ -110,8 +113,11 @@ void Mesh::pair_twins() {
   }
   for (std::uint32_t v = 0; v < vertex_count_; ++v) starts[v + 1] += starts[v];
 
-  std::vector<EdgeUse> uses(starts.back());
-  std::vector<std::uint32_t> filled(starts.begin(), starts.end() - 1);
+  std::vector<EdgeUse> uses;
+  assign_on_large_pages(uses, starts.back(), EdgeUse());
+  std::vector<std::uint32_t> filled;
+  reserve_on_large_pages(filled, vertex_count_);
+  filled.assign(starts.begin(), starts.end() - 1);
   for (std::uint32_t h = 0; h < count; ++h) {
     const auto [from, to] = ends_of(h);
     if (from == to) continue;
@@ -147,7 +153,7 @@ void Mesh::pair_twins() {
 
 /// Walk around every vertex; what the first walk does not reach is a further fan.
 void Mesh::gather_fans() {
-  fan_start_.assign(vertex_count_, HalfedgeId());
+  assign_on_large_pages(fan_start_, vertex_count_, HalfedgeId());
   std::vector<bool> walked(halfedge_count(), false);
   std::vector<std::pair<HalfedgeId, FanId>> further;
   for (std::uint32_t number = 0; number < halfedge_count(); ++number) {
@@ -169,7 +175,7 @@ void Mesh::gather_fans() {
   }
   if (further.empty()) return;
 
-  fan_of_.resize(halfedge_count());
+  assign_on_large_pages(fan_of_, halfedge_count(), std::uint32_t{0});
   for (std::uint32_t h = 0; h < halfedge_count(); ++h) fan_of_[h] = origin_[h].value;
   for (const auto& [start, fan] : further) {
     for (const HalfedgeId h : outgoing(fan)) fan_of_[h.value] = fan.value;

@@ -4,6 +4,7 @@
 /// Built once from a `PolygonSoup`, never changed: analysis and matching have no failure path and share it
 /// across threads without locks. In an all-quad mesh `next`, `prev` and `face` are arithmetic on 4f + k.
 
+#include <algorithm>
 #include <cstdint>
 #include <iterator>
 #include <span>
@@ -103,13 +104,14 @@ class Mesh {
   }
   [[nodiscard]] HalfedgeId next(HalfedgeId h) const {
     if (all_quads()) return HalfedgeId((h.value & ~3U) | ((h.value + 1) & 3U));
-    const FaceId f = face(h);
-    return h.value + 1 == face_starts_[f.value + 1] ? first(f) : HalfedgeId(h.value + 1);
+    // Which corner is the last nobody can guess, so there is no branch: below nothing unsigned numbers are the largest.
+    const std::uint32_t f = face_of_[h.value], start = face_starts_[f], end = face_starts_[f + 1];
+    return HalfedgeId(start + std::min(h.value + 1 - start, h.value + 1 - end));
   }
   [[nodiscard]] HalfedgeId prev(HalfedgeId h) const {
     if (all_quads()) return HalfedgeId((h.value & ~3U) | ((h.value + 3) & 3U));
-    const FaceId f = face(h);
-    return HalfedgeId((h == first(f) ? face_starts_[f.value + 1] : h.value) - 1);
+    const std::uint32_t f = face_of_[h.value], start = face_starts_[f], end = face_starts_[f + 1];
+    return HalfedgeId(start + std::min(h.value - start - 1, end - start - 1));
   }
   /// The opposite half-edge in the adjacent face; not valid on the boundary and at seams.
   [[nodiscard]] HalfedgeId twin(HalfedgeId h) const { return twin_[h.value]; }

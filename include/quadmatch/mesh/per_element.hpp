@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <quadmatch/mesh/ids.hpp>
+#include <quadmatch/mesh/large_pages.hpp>
 
 namespace quadmatch {
 
@@ -13,7 +14,7 @@ template <class IdType, class T>
 class PerElement {
  public:
   PerElement() = default;
-  explicit PerElement(std::size_t count, T value = {}) : values_(count, value) {}
+  explicit PerElement(std::size_t count, T value = {}) { assign_on_large_pages(values_, count, value); }
 
   [[nodiscard]] decltype(auto) operator[](IdType id) { return values_[id.value]; }
   [[nodiscard]] decltype(auto) operator[](IdType id) const { return values_[id.value]; }

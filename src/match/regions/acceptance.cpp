@@ -1,7 +1,6 @@
 // The last judgement: a region stays if chance could not agree so often, or if neighbours that stay speak for it.
 
 #include <algorithm>
-#include <optional>
 #include <vector>
 
 #include "hops.hpp"
@@ -60,6 +59,7 @@ class Judge {
   explicit Judge(Workbench& bench)
       : bench_(bench),
         corners_(corners_by_region(bench.sides, bench.patchwork)),
+        likelihood_(bench, true),
         believed_(bench.patchwork.region_count(), false) {}
 
   void believe(const Group& group) {
@@ -83,9 +83,11 @@ class Judge {
     const Testimony testimony = hear(pairs);
     if (testimony.votes + 0.67 * testimony.hop_votes >= 2) return true;
     if ((testimony.whole_component || testimony.fills_gap) && disagreeing(pairs) == 0) return true;
-    if (!likelihood_) likelihood_.emplace(bench_, true);
-    const double needed = likelihood_->log_places() * (bench_.misfit.uses_lengths() ? 1 : 2);
-    return likelihood_->of(pairs) + kVote * testimony.votes + kHopVote * testimony.hop_votes >= needed;
+    const double needed = likelihood_.log_places() * (bench_.misfit.uses_lengths() ? 1 : 2);
+    const auto is_enough = [&](double says) {
+      return says + kVote * testimony.votes + kHopVote * testimony.hop_votes >= needed;
+    };
+    return is_enough(likelihood_.at_most(pairs)) && is_enough(likelihood_.of(pairs));
   }
 
  private:
@@ -134,7 +136,7 @@ class Judge {
 
   Workbench& bench_;
   std::vector<Corners> corners_;
-  std::optional<Likelihood> likelihood_;  // learnt when it is first asked
+  Likelihood likelihood_;
   std::vector<bool> believed_;
   const Mesh& source_ = bench_.sides.source.mesh;
   const Mesh& target_ = bench_.sides.target.mesh;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <quadmatch/mesh/large_pages.hpp>
+
 namespace quadmatch::regions {
 namespace {
 
@@ -14,7 +16,8 @@ FacePair face_pair(const Sides& sides, const Candidate& pair, Orientation orient
   const Mesh& target = sides.target.mesh;
   const FaceId q = source.face(pair.source), r = target.face(pair.target);
   const std::uint32_t size = source.size(q);
-  const std::uint32_t corner = (target.corner(pair.target) + size - source.corner(pair.source)) % size;
+  const std::uint32_t sum = target.corner(pair.target) + size - source.corner(pair.source);
+  const std::uint32_t corner = sum >= size ? sum - size : sum;
   // In the mirror corner k is corner n - 1 - k of the face as it was given (Mesh::mirrored).
   return {q, r, orientation == Orientation::Preserving ? corner : size - 1 - corner};
 }
@@ -64,7 +67,7 @@ Match assemble(const Sides& sides, std::vector<Piece> pieces, Orientation orient
     region.evidence = piece.evidence;
     region.ways = piece.ways;
     region.ambiguous = piece.ambiguous;
-    region.faces.reserve(piece.pairs.size());
+    reserve_on_large_pages(region.faces, piece.pairs.size());
     for (const Candidate& pair : piece.pairs) region.faces.push_back(face_pair(sides, pair, orientation));
     if (with_waves) region.waves = std::move(piece.waves);
   }
@@ -92,7 +95,7 @@ std::vector<VertexPair> combined_vertices(const Mesh& source, const Mesh& target
     }
   }
   std::vector<VertexPair> pairs;
-  pairs.reserve(source.vertex_count());
+  reserve_on_large_pages(pairs, source.vertex_count());
   for (std::uint32_t v = 0; v < image.size(); ++v) {
     if (image[VertexId(v)].valid()) pairs.push_back({VertexId(v), image[VertexId(v)]});
   }

@@ -285,8 +285,9 @@ std::size_t EqualParts::lay(const Part& part, const Part& other, std::uint32_t e
   const Laying laying = best_laying(part, other);
   if (laying.ways == 0 || (!laying.is_latest && !fills(laying.seed, part))) return 0;
   const std::uint32_t region = bench_.patchwork.fresh_region();
-  for (const Candidate& pair : map_.pairs()) bench_.patchwork.lay(pair, region);
-  pieces_.push_back({.pairs = map_.pairs(), .waves = map_.waves()});
+  bench_.patchwork.lay(map_.pairs(), region);
+  WholeMap::Faces faces = map_.take();
+  pieces_.push_back({.pairs = std::move(faces.pairs), .waves = std::move(faces.waves)});
   const std::uint32_t ways = laying.ways * equals;
   if (ways > 1)
     ties_.push_back({part.first_face, ways, chosen_by_positions && (laying.ways == 1 || laying.by_positions)});

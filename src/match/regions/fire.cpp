@@ -186,8 +186,7 @@ bool Fire::corner_fits(VertexId v, VertexId w, HalfedgeId s, HalfedgeId t, std::
   const VertexState& left = source_vertices_[v];
   const VertexState& right = target_vertices_[w];
   if (!left.contested && !right.contested) {
-    if (left.partner == w) return true;
-    if (!left.partner.valid() && !right.partner.valid()) return true;
+    if ((left.partner == w) | is_new(left, right)) return true;
   }
   return every_corner(source_, s,
                       [&](HalfedgeId h) {
@@ -212,54 +211,60 @@ bool Fire::edge_fits(HalfedgeId s, HalfedgeId t, std::uint32_t root) {
 void Fire::accept(Candidate candidate, std::uint32_t root, std::uint32_t distance, bool leaf) {
   const FaceId face = source_.face(candidate.source);
   patchwork_.lay(candidate, root);
-  ++accounts_[root].faces;
-  bool evidence = false;
-  note_vertices(candidate, root, evidence);
-  if (evidence) distance = 0;
+  if (note_vertices(candidate, root)) distance = 0;
   distance_[face] = leaf ? kLeaf : distance;
-  unite_with_neighbours(candidate, root);
-  if (!leaf) push_neighbours(candidate, distance + 1);
-}
-
-void Fire::note_vertices(Candidate candidate, std::uint32_t root, bool& evidence) {
-  Account& account = accounts_[root];
   auto [s, t] = candidate;
   do {
-    const VertexId v = source_.origin(s), w = target_.origin(t);
-    VertexState& left = source_vertices_[v];
-    VertexState& right = target_vertices_[w];
-    const bool agrees = left.code == right.code;
-    evidence = evidence || (agrees && left.code.extraordinary());
-    if (!left.partner.valid() && !right.partner.valid()) {
-      left.partner = w;
-      right.partner = v;
-      account.source_extraordinary += left.code.extraordinary();
-      account.target_extraordinary += right.code.extraordinary();
-      account.agreeing += agrees && left.code.extraordinary();
-      account.disagreeing += !agrees;
-    } else if (left.partner != w) {
-      left.contested = right.contested = true;
-    }
-    s = source_.next(s);
-    t = target_.next(t);
-  } while (s != candidate.source);
-}
-
-void Fire::unite_with_neighbours(Candidate candidate, std::uint32_t root) {
-  auto [s, t] = candidate;
-  do {
-    const HalfedgeId beside = source_.twin(s);
-    if (beside.valid() && patchwork_.is_matched(source_.face(beside))) {
-      const std::uint32_t other = find(patchwork_.region(source_.face(beside)));
-      root = find(root);
-      if (other != root && patchwork_.image(beside) == target_.twin(t) && fit_of(candidate, other).fits) {
-        parent_[std::max(root, other)] = std::min(root, other);
-        accounts_[std::min(root, other)].add(accounts_[std::max(root, other)]);
+    const Candidate beyond{source_.twin(s), target_.twin(t)};
+    if (beyond.source.valid()) {
+      if (patchwork_.is_matched(source_.face(beyond.source))) {
+        unite(candidate, root, beyond);
+      } else if (!leaf && beyond.target.valid() && !patchwork_.is_taken(target_.face(beyond.target))) {
+        push(beyond, distance + 1);
       }
     }
     s = source_.next(s);
     t = target_.next(t);
   } while (s != candidate.source);
+}
+
+/// Count a face of a region, and give its vertices their partners. @return whether it is evidence: an extraordinary
+/// vertex agrees.
+bool Fire::note_vertices(Candidate candidate, std::uint32_t root) {
+  Account met{.faces = 1};
+  bool evidence = false;
+  auto [s, t] = candidate;
+  do {
+    const VertexId v = source_.origin(s), w = target_.origin(t);
+    VertexState& left = source_vertices_[v];
+    VertexState& right = target_vertices_[w];
+    // Without branches: which vertices are new nobody can guess. All bits are set where there is no partner.
+    const bool tells = left.code.extraordinary(), agrees = left.code == right.code;
+    const bool is_first = is_new(left, right);
+    evidence |= tells & agrees;
+    met.source_extraordinary += is_first & tells;
+    met.target_extraordinary += is_first & right.code.extraordinary();
+    met.agreeing += is_first & tells & agrees;
+    met.disagreeing += is_first & !agrees;
+    const std::uint32_t kept = is_first ? 0 : VertexId::kNone;
+    left.partner.value &= w.value | kept;
+    right.partner.value &= v.value | kept;
+    const bool is_contested = left.partner != w;
+    left.contested |= is_contested;
+    right.contested |= is_contested;
+    s = source_.next(s);
+    t = target_.next(t);
+  } while (s != candidate.source);
+  accounts_[root].add(met);
+  return evidence;
+}
+
+/// Make one region of a face's and that of a matched face beyond an edge, if they agree.
+void Fire::unite(Candidate candidate, std::uint32_t region, Candidate beyond) {
+  const std::uint32_t other = find(patchwork_.region(source_.face(beyond.source))), root = find(region);
+  if (other == root || patchwork_.image(beyond.source) != beyond.target || !fit_of(candidate, other).fits) return;
+  parent_[std::max(root, other)] = std::min(root, other);
+  accounts_[std::min(root, other)].add(accounts_[std::max(root, other)]);
 }
 
 void Fire::push_neighbours(Candidate candidate, std::uint32_t distance) {
@@ -304,9 +309,7 @@ void Fire::recount() {
   std::fill(accounts_.begin(), accounts_.end(), Account());
   for (const HalfedgeId entry : patchwork_.history()) {
     const std::uint32_t root = find(patchwork_.region(source_.face(entry)));
-    ++accounts_[root].faces;
-    bool evidence = false;
-    note_vertices({entry, patchwork_.image(entry)}, root, evidence);
+    note_vertices({entry, patchwork_.image(entry)}, root);
   }
 }
 

@@ -96,8 +96,12 @@ class Fire {
   [[nodiscard]] bool corner_fits(VertexId v, VertexId w, HalfedgeId s, HalfedgeId t, std::uint32_t root);
   [[nodiscard]] bool edge_fits(HalfedgeId s, HalfedgeId t, std::uint32_t root);
   void accept(Candidate candidate, std::uint32_t root, std::uint32_t distance, bool leaf);
-  void note_vertices(Candidate candidate, std::uint32_t root, bool& evidence);
-  void unite_with_neighbours(Candidate candidate, std::uint32_t root);
+  /// Has neither vertex met a partner?
+  [[nodiscard]] static bool is_new(const VertexState& left, const VertexState& right) {
+    return (left.partner.value & right.partner.value) == VertexId::kNone;
+  }
+  bool note_vertices(Candidate candidate, std::uint32_t root);
+  void unite(Candidate candidate, std::uint32_t region, Candidate beyond);
   void push_neighbours(Candidate candidate, std::uint32_t distance);
   void recount();
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "hops.hpp"
@@ -19,9 +18,7 @@ struct Landing {
 
 class Islands {
  public:
-  explicit Islands(Workbench& bench) : bench_(bench), landing_of_(source_.face_count(), kNone) {
-    if (!bench.misfit.uses_lengths()) likelihood_.emplace(bench);
-  }
+  explicit Islands(Workbench& bench) : bench_(bench), likelihood_(bench), landing_of_(source_.face_count(), kNone) {}
 
   std::size_t match() {
     const std::size_t before = bench_.patchwork.matched_faces();
@@ -130,7 +127,7 @@ class Islands {
   [[nodiscard]] double worth_by_evidence() {
     constexpr double kVote = 2.0, kAgainst = 1.0, kEnough = 3.0;
     const std::vector<Candidate>& pairs = bench_.ghost.pairs();
-    double worth = likelihood_->of(pairs);
+    double worth = likelihood_.of(pairs);
     for (const Candidate& pair : pairs) worth += kVote * votes_for(pair) - kAgainst * contradictions(pair);
     return worth >= kEnough ? worth : 0;
   }
@@ -147,7 +144,7 @@ class Islands {
   }
 
   Workbench& bench_;
-  std::optional<Likelihood> likelihood_;  // without lengths
+  Likelihood likelihood_;  // asked without lengths only
   const Mesh& source_ = bench_.sides.source.mesh;
   const Mesh& target_ = bench_.sides.target.mesh;
   std::vector<Landing> landings_;

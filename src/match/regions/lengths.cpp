@@ -21,20 +21,25 @@ Lengths::Lengths(const Mesh& mesh) : mesh_(&mesh), first_(mesh.face_count(), kUn
 }
 
 void Lengths::measure(FaceId face) const {
-  const std::span<const Point> positions = mesh_->positions();
+  const std::size_t size = mesh_->size(face);
+  const std::span<const VertexId> corners = mesh_->corners().subspan(mesh_->first(face).value, size);
+  const auto place = [&](std::size_t corner) -> const Point& {
+    return mesh_->positions()[corners[corner < size ? corner : corner - size].value];
+  };
   const std::size_t first = pairs_.size();
-  for (const HalfedgeId h : mesh_->halfedges(face)) {
-    const HalfedgeId next = mesh_->next(h);
-    const Point& here = positions[mesh_->origin(h).value];
-    const float edge = log_distance(here, positions[mesh_->origin(next).value]);
+  for (std::size_t corner = 0; corner < size; ++corner) {
+    const float edge = log_distance(place(corner), place(corner + 1));
     // A quad's second half of the diagonals is its first from the other end.
-    const std::size_t corner = pairs_.size() - first;
-    const float diagonal = mesh_->size(face) == 4 && corner >= 2
-                               ? pairs_[first + corner - 2].diagonal
-                               : log_distance(here, positions[mesh_->tip(next).value]);
+    const float diagonal =
+        size == 4 && corner >= 2 ? pairs_[first + corner - 2].diagonal : log_distance(place(corner), place(corner + 2));
     pairs_.push_back({edge, diagonal});
   }
   first_[face] = static_cast<std::uint32_t>(first);
+}
+
+float Lengths::single_edge(HalfedgeId h) const {
+  if (first_[mesh_->face(h)] != kUnknown) return edge(h);
+  return log_distance(mesh_->positions()[mesh_->origin(h).value], mesh_->positions()[mesh_->tip(h).value]);
 }
 
 void Lengths::measure_all() const {

@@ -29,6 +29,8 @@ class Lengths {
     return {pairs_.data() + first_[face], mesh_->size(face)};
   }
   [[nodiscard]] float edge(HalfedgeId h) const { return of(mesh_->face(h))[mesh_->corner(h)].edge; }
+  /// The same, but if its face was not measured yet it is not now either.
+  [[nodiscard]] float single_edge(HalfedgeId h) const;
   [[nodiscard]] float diagonal(HalfedgeId h) const { return of(mesh_->face(h))[mesh_->corner(h)].diagonal; }
   /// The median over all half-edges. @pre there are some
   [[nodiscard]] float median_edge() const;

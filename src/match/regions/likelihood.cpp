@@ -40,14 +40,14 @@ std::vector<double> share_of_codes(const Side& side) {
 }  // namespace
 
 Likelihood::Likelihood(const Workbench& bench, bool judges)
-    : bench_(bench), judges_(judges), seen_(bench.sides.source.mesh.vertex_count(), 0) {
-  learn_codes();
-  if (bench.misfit.uses_lengths()) learn_lengths();
-  log_places_ =
-      0.5 * (std::log(bench.sides.source.mesh.halfedge_count()) + std::log(bench.sides.target.mesh.halfedge_count()));
-}
+    : bench_(bench),
+      judges_(judges),
+      log_places_(0.5 * (std::log(bench.sides.source.mesh.halfedge_count()) +
+                         std::log(bench.sides.target.mesh.halfedge_count()))) {}
 
 void Likelihood::learn_codes() {
+  if (std::exchange(knows_codes_, true)) return;
+  seen_ = PerVertex<std::uint32_t>(bench_.sides.source.mesh.vertex_count(), 0);
   const std::vector<double> source_share = share_of_codes(bench_.sides.source);
   std::vector<double> target_share = share_of_codes(bench_.sides.target);
   target_share.resize(std::max(source_share.size(), target_share.size()), 0);
@@ -65,6 +65,7 @@ void Likelihood::learn_codes() {
 
 /// Lay faces on faces far away in the order of the file, which is as good as chance.
 void Likelihood::learn_lengths() {
+  if (std::exchange(knows_lengths_, true) || !bench_.misfit.uses_lengths()) return;
   const Mesh& source = bench_.sides.source.mesh;
   const Mesh& target = bench_.sides.target.mesh;
   constexpr std::uint32_t kSamples = 4000;
@@ -76,7 +77,9 @@ void Likelihood::learn_lengths() {
     };
     const Candidate pair{pick(source, 7919), pick(target, 104729)};
     if (source.size(source.face(pair.source)) != target.size(target.face(pair.target))) continue;
-    const double error = error_of(pair);
+    // Most fit so badly that one edge tells, and how badly does not matter.
+    const double least = least_error_of(pair);
+    const double error = least > kGate ? least : error_of(pair);
     if (error > kGate && !bench_.misfit.trusts_lengths()) continue;
     ++tried;
     ++count[error_class(error)];
@@ -93,32 +96,51 @@ double Likelihood::error_of(const Candidate& pair) const {
   return judges_ ? bench_.misfit.strict_error(pair) : bench_.misfit.length_error(pair);
 }
 
+double Likelihood::least_error_of(const Candidate& pair) const {
+  return judges_ ? bench_.misfit.least_strict_error(pair) : bench_.misfit.least_length_error(pair);
+}
+
 std::size_t Likelihood::error_class(double error) {
   return static_cast<std::size_t>(std::clamp(error, 0.0, kTrueErrors.size() - 0.5));
 }
 
 double Likelihood::of(std::span<const Candidate> pairs) {
+  learn_codes();
+  learn_lengths();
   ++now_;
   double sum = 0;
-  for (const Candidate& pair : pairs) sum += of_next(pair);
+  for (const Candidate& pair : pairs) sum += of_next(pair, by_lengths(pair));
   return sum;
 }
 
 double Likelihood::of_best_start(std::span<const Candidate> pairs) {
+  learn_codes();
+  learn_lengths();
   ++now_;
   double sum = 0, best = 0;
   for (const Candidate& pair : pairs) {
-    sum += of_next(pair);
+    sum += of_next(pair, by_lengths(pair));
     best = std::max(best, sum);
   }
   return best;
 }
 
-double Likelihood::of_next(const Candidate& pair) {
+double Likelihood::at_most(std::span<const Candidate> pairs) {
+  learn_codes();
+  ++now_;
+  double sum = 0;
+  for (const Candidate& pair : pairs) sum += of_next(pair, bench_.misfit.uses_lengths() ? kMostByLengths : 0);
+  return sum;
+}
+
+double Likelihood::by_lengths(const Candidate& pair) const {
+  return bench_.misfit.uses_lengths() ? by_error_[error_class(error_of(pair))] : 0;
+}
+
+double Likelihood::of_next(const Candidate& pair, double by_lengths) {
   const Mesh& source = bench_.sides.source.mesh;
   const Mesh& target = bench_.sides.target.mesh;
-  double sum = 0;
-  if (bench_.misfit.uses_lengths()) sum += by_error_[error_class(error_of(pair))];
+  double sum = by_lengths;
   if (bench_.misfit.is_placed() && bench_.misfit.distance(pair) < kNear) sum += kLands;
   auto [s, t] = pair;
   do {

@@ -11,8 +11,8 @@ namespace quadmatch::regions {
 
 class Likelihood {
  public:
-  /// Learn how often chance agrees: how frequent each vertex code is in both meshes, and how often faces picked at
-  /// random have lengths that fit.
+  /// When it is first asked it learns how often chance agrees: how frequent each vertex code is in both meshes, and how
+  /// often faces picked at random have lengths that fit. Where there is nothing to try nobody asks.
   /// @param judges  what is matched is judged: what it says itself of how the source is stretched is no evidence.
   explicit Likelihood(const Workbench& bench, bool judges = false);
 
@@ -26,8 +26,12 @@ class Likelihood {
   /// edit changed is not the worse for how it began.
   [[nodiscard]] double of_best_start(std::span<const Candidate> pairs);
 
+  /// What of() can say at most, told by codes and places, before lengths have been learnt.
+  [[nodiscard]] double at_most(std::span<const Candidate> pairs);
+
   /// The same of one vertex on another.
-  [[nodiscard]] double of_vertex(VertexId v, VertexId w) const {
+  [[nodiscard]] double of_vertex(VertexId v, VertexId w) {
+    if (!knows_codes_) learn_codes();
     const VertexCode code = bench_.sides.source.code(v);
     return code == bench_.sides.target.code(w) ? agrees_[code.value] : disagrees_;
   }
@@ -41,14 +45,18 @@ class Likelihood {
  private:
   const Workbench& bench_;
   bool judges_;
+  // Each once, when it is first needed.
   void learn_codes();
   void learn_lengths();
   [[nodiscard]] double error_of(const Candidate& pair) const;
+  [[nodiscard]] double least_error_of(const Candidate& pair) const;
   [[nodiscard]] static std::size_t error_class(double error);
-  /// What one more pair says, after those since now_ changed.
-  [[nodiscard]] double of_next(const Candidate& pair);
+  /// What one more pair says by its lengths; and in all, after those since now_ changed.
+  [[nodiscard]] double by_lengths(const Candidate& pair) const;
+  [[nodiscard]] double of_next(const Candidate& pair, double by_lengths);
 
-  std::vector<double> agrees_;        // by code: what a vertex of this code on another of this code says
+  std::vector<double> agrees_;  // by code: what a vertex of this code on another of this code says
+  bool knows_codes_ = false, knows_lengths_ = false;
   double disagrees_ = 0;              // what a vertex on one of another code says
   std::array<double, 4> by_error_{};  // what a face says whose lengths fit within one, two, three sigma, or do not
   PerVertex<std::uint32_t> seen_;

@@ -143,8 +143,7 @@ double Misfit::sigma_of(const Spread& spread) {
 Misfit::Spread Misfit::spread_of(const std::vector<Candidate>& sample) const {
   std::vector<double> errors;
   errors.reserve(sample.size());
-  for (const Candidate& pair : sample)
-    errors.push_back(raw_error(pair, stretched_ ? stretched_->lengths : lengths_[0]));
+  for (const Candidate& pair : sample) errors.push_back(raw_error(pair, source_lengths()));
   const double lower = quantile(errors, 0.25);
   return {lower, quantile(errors, 0.5)};
 }
@@ -162,18 +161,39 @@ double Misfit::raw_error(Candidate pair, const Lengths& ours) const {
   return std::sqrt(sum / (static_cast<double>(terms) * (has_diagonals ? 1.5 : 1)));
 }
 
+double Misfit::least_raw_error(Candidate pair) const {
+  const std::uint32_t terms = sides_.source.mesh.size(sides_.source.mesh.face(pair.source));
+  const double edge = lengths_[1].single_edge(pair.target) - source_lengths().single_edge(pair.source) - scale_;
+  return std::sqrt(edge * edge / (static_cast<double>(terms) * (terms > 3 ? 1.5 : 1)));
+}
+
+double Misfit::sigma_at(FaceId source_face) const {
+  if (!stretched_) return sigma_;
+  const double known = stretched_->known[source_face];
+  const double sigma = std::max(sigma_, kLocalSigma * stretched_->error[source_face]);
+  return known * sigma + (1 - known) * sigma_far_;
+}
+
+double Misfit::strict_sigma_at(FaceId source_face) const {
+  if (!stretched_) return sigma_;
+  const double known = stretched_->known[source_face];
+  return known * sigma_ + (1 - known) * sigma_far_;
+}
+
 double Misfit::length_error(Candidate pair) const {
-  if (!stretched_) return raw_error(pair, lengths_[0]) / sigma_;
-  const FaceId face = sides_.source.mesh.face(pair.source);
-  const double known = stretched_->known[face];
-  const double sigma = std::max(sigma_, kLocalSigma * stretched_->error[face]);
-  return raw_error(pair, stretched_->lengths) / (known * sigma + (1 - known) * sigma_far_);
+  return raw_error(pair, source_lengths()) / sigma_at(sides_.source.mesh.face(pair.source));
 }
 
 double Misfit::strict_error(Candidate pair) const {
-  if (!stretched_) return length_error(pair);
-  const double known = stretched_->known[sides_.source.mesh.face(pair.source)];
-  return raw_error(pair, stretched_->lengths) / (known * sigma_ + (1 - known) * sigma_far_);
+  return raw_error(pair, source_lengths()) / strict_sigma_at(sides_.source.mesh.face(pair.source));
+}
+
+double Misfit::least_length_error(Candidate pair) const {
+  return least_raw_error(pair) / sigma_at(sides_.source.mesh.face(pair.source));
+}
+
+double Misfit::least_strict_error(Candidate pair) const {
+  return least_raw_error(pair) / strict_sigma_at(sides_.source.mesh.face(pair.source));
 }
 
 double Misfit::taper_error(Candidate pair) const {

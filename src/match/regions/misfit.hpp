@@ -62,6 +62,9 @@ class Misfit {
   /// The root mean square by which the logarithms of the ratios of opposite edges differ, which bending and sculpting
   /// change less than lengths; 0 for all faces but quads. @pre uses_lengths().
   [[nodiscard]] double taper_error(Candidate pair) const;
+  /// What neither error is less than: told by one edge, which costs far less where the faces were not measured yet.
+  [[nodiscard]] double least_length_error(Candidate pair) const;
+  [[nodiscard]] double least_strict_error(Candidate pair) const;
   [[nodiscard]] std::uint32_t disagreeing_corners(Candidate pair) const;
   /// Corners where both meshes have an extraordinary vertex of the same code.
   [[nodiscard]] std::uint32_t telling_corners(Candidate pair) const;
@@ -85,7 +88,11 @@ class Misfit {
   [[nodiscard]] Spread spread_of(const std::vector<Candidate>& sample) const;
   template <class Visit>
   std::size_t for_each_corner(Candidate pair, const Lengths& source_lengths, Visit visit) const;
+  [[nodiscard]] const Lengths& source_lengths() const { return stretched_ ? stretched_->lengths : lengths_[0]; }
   [[nodiscard]] double raw_error(Candidate pair, const Lengths& ours) const;
+  [[nodiscard]] double least_raw_error(Candidate pair) const;
+  [[nodiscard]] double sigma_at(FaceId source_face) const;
+  [[nodiscard]] double strict_sigma_at(FaceId source_face) const;
   [[nodiscard]] bool load_lengths();
   [[nodiscard]] double cost_by_pins(Candidate pair) const;
 

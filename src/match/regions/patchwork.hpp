@@ -1,11 +1,14 @@
 #pragma once
 /// Which face lies on which, region by region: what the fire makes, and the stages after it mend.
 
+#include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <quadmatch/analysis/anchors.hpp>
 #include <quadmatch/analysis/skeleton.hpp>
+#include <quadmatch/mesh/large_pages.hpp>
 #include <quadmatch/mesh/mesh.hpp>
 #include <quadmatch/mesh/per_element.hpp>
 
@@ -30,14 +33,14 @@ struct Sides {
 /// A possible pair of faces, named by half-edges that lie on each other.
 using Candidate = Anchor;
 
-/// The half-edge `steps` corners on from h about its face.
+/// The half-edge `steps` corners on from h about its face. @pre steps <= 2 * the face's size
 [[nodiscard]] inline HalfedgeId turned(const Mesh& mesh, HalfedgeId h, std::uint32_t steps) {
   if (mesh.all_quads()) return HalfedgeId((h.value & ~3U) | ((h.value + steps) & 3U));
   const FaceId face = mesh.face(h);
   const std::uint32_t start = mesh.first(face).value, size = mesh.size(face);
-  std::uint32_t corner = h.value - start + steps;
-  while (corner >= size) corner -= size;  // once or twice: a division takes far longer
-  return HalfedgeId(start + corner);
+  // Without a division, and without a branch that nobody can guess: below nothing unsigned numbers are the largest.
+  const auto wrapped = [size](std::uint32_t corner) { return std::min(corner, corner - size); };
+  return HalfedgeId(start + wrapped(wrapped(h.value - start + steps)));
 }
 
 /// What is beyond an edge: a face that lies on the one beyond the other edge; or one that is matched otherwise, in
@@ -50,14 +53,9 @@ class Patchwork {
   static constexpr std::uint32_t kNoRegion = 0xffffffff;
 
   Patchwork(const Mesh& source, const Mesh& target)
-      : source_(source),
-        target_(target),
-        image_of_first_(source.face_count()),
-        origin_(target.face_count()),
-        region_(source.face_count(), kNoRegion),
-        changed_at_(source.face_count(), 0) {}
+      : source_(source), target_(target), laid_(source.face_count()), origin_(target.face_count()) {}
 
-  [[nodiscard]] bool is_matched(FaceId source_face) const { return image_of_first_[source_face].valid(); }
+  [[nodiscard]] bool is_matched(FaceId source_face) const { return laid_[source_face].image_of_first.valid(); }
   [[nodiscard]] bool is_taken(FaceId target_face) const { return origin_[target_face].valid(); }
   [[nodiscard]] std::size_t matched_faces() const { return matched_; }
   /// The source faces that were laid, lifted or given to another region, each time that it happened.
@@ -65,27 +63,28 @@ class Patchwork {
   /// How many these are: nothing changes while this does not.
   [[nodiscard]] std::uint32_t changes() const { return static_cast<std::uint32_t>(changed_.size()); }
   /// What changes() was after a source face last changed; 0 if it never did.
-  [[nodiscard]] std::uint32_t changed_at(FaceId source_face) const { return changed_at_[source_face]; }
+  [[nodiscard]] std::uint32_t changed_at(FaceId source_face) const { return laid_[source_face].changed_at; }
 
   /// The half-edge on which h lies. @pre its face is matched.
   [[nodiscard]] HalfedgeId image(HalfedgeId h) const {
-    return turned(target_, image_of_first_[source_.face(h)], source_.corner(h));
+    return turned(target_, laid_[source_.face(h)].image_of_first, source_.corner(h));
   }
-  [[nodiscard]] FaceId image(FaceId source_face) const { return target_.face(image_of_first_[source_face]); }
+  [[nodiscard]] FaceId image(FaceId source_face) const { return target_.face(laid_[source_face].image_of_first); }
   /// The half-edge that lies on t. @pre its face is taken.
   [[nodiscard]] HalfedgeId preimage(HalfedgeId t) const {
     const FaceId face = origin_[target_.face(t)];
     const std::uint32_t size = source_.size(face);
-    const std::uint32_t steps = target_.corner(t) + size - target_.corner(image_of_first_[face]);
+    const std::uint32_t steps = target_.corner(t) + size - target_.corner(laid_[face].image_of_first);
     return turned(source_, source_.first(face), steps);
   }
   [[nodiscard]] FaceId origin(FaceId target_face) const { return origin_[target_face]; }
-  [[nodiscard]] std::uint32_t region(FaceId source_face) const { return region_[source_face]; }
+  [[nodiscard]] std::uint32_t region(FaceId source_face) const { return laid_[source_face].region; }
   void set_region(FaceId source_face, std::uint32_t region) {
-    if (region_[source_face] == region) return;
-    --faces_of_region_[region_[source_face]];
+    Laid& laid = laid_[source_face];
+    if (laid.region == region) return;
+    --faces_of_region_[laid.region];
     ++faces_of_region_[region];
-    region_[source_face] = region;
+    laid.region = region;
     note_change(source_face);
   }
   /// What is beyond an edge of a pair of faces that lie on each other, or may: (s, t) are half-edges of theirs.
@@ -118,40 +117,59 @@ class Patchwork {
   /// @pre both faces are free and of one size.
   void lay(Candidate pair, std::uint32_t region) {
     const FaceId face = source_.face(pair.source);
-    image_of_first_[face] = turned(target_, pair.target, source_.size(face) - source_.corner(pair.source));
+    Laid& laid = laid_[face];
+    laid.image_of_first = turned(target_, pair.target, source_.size(face) - source_.corner(pair.source));
+    laid.region = region;
     origin_[target_.face(pair.target)] = face;
-    region_[face] = region;
     ++faces_of_region_[region];
     history_.push_back(pair.source);
     note_change(face);
     ++matched_;
   }
+  /// Lay many, one after the other. @pre as of each
+  void lay(std::span<const Candidate> pairs, std::uint32_t region) {
+    constexpr std::size_t kAhead = 16;  // long enough for memory to answer
+    reserve_more_on_large_pages(history_, pairs.size());
+    reserve_more_on_large_pages(changed_, pairs.size());
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const Candidate& ahead = pairs[std::min(k + kAhead, pairs.size() - 1)];
+      __builtin_prefetch(&laid_[source_.face(ahead.source)], 1);
+      __builtin_prefetch(&origin_[target_.face(ahead.target)], 1);
+      lay(pairs[k], region);
+    }
+  }
   /// @pre the face is matched.
   void lift(FaceId source_face) {
-    origin_[image(source_face)] = FaceId();
-    image_of_first_[source_face] = HalfedgeId();
-    --faces_of_region_[region_[source_face]];
-    region_[source_face] = kNoRegion;
+    Laid& laid = laid_[source_face];
+    origin_[target_.face(laid.image_of_first)] = FaceId();
+    --faces_of_region_[laid.region];
+    laid.image_of_first = HalfedgeId();
+    laid.region = kNoRegion;
     note_change(source_face);
     --matched_;
   }
 
  private:
+  /// What is known of a source face, side by side: one is asked for after the other.
+  struct Laid {
+    HalfedgeId image_of_first;  // of its first half-edge; not valid while it is not matched
+    std::uint32_t region = kNoRegion;
+    std::uint32_t changed_at = 0;
+  };
+
   void note_change(FaceId source_face) {
     changed_.push_back(source_face);
-    changed_at_[source_face] = changes();
+    laid_[source_face].changed_at = changes();
   }
 
   const Mesh& source_;
   const Mesh& target_;
-  PerFace<HalfedgeId> image_of_first_;  // of each source face, the image of its first half-edge
-  PerFace<FaceId> origin_;              // of each target face
-  PerFace<std::uint32_t> region_;       // of each source face
+  PerFace<Laid> laid_;      // of each source face
+  PerFace<FaceId> origin_;  // of each target face
   std::vector<HalfedgeId> history_;
   std::vector<std::uint32_t> faces_of_region_;
   std::size_t matched_ = 0;
   std::vector<FaceId> changed_;
-  PerFace<std::uint32_t> changed_at_;  // of each source face
 };
 
 }  // namespace quadmatch::regions

@@ -63,15 +63,21 @@ bool lands_off(const Sides& sides, const Similarity& similarity, Candidate pair)
 
 /// The share of the source's vertices that land near a vertex of the target. Judging by what is matched would confirm
 /// the wrong half of a symmetric model.
-double share_that_lands(const Workbench& bench, const Similarity& similarity, const VertexGrid& grid, double reach) {
+/// @param least  a smaller share is of no interest: 0 as soon as it is sure to be.
+double share_that_lands(const Workbench& bench, const Similarity& similarity, const VertexGrid& grid, double reach,
+                        double least) {
   const std::span<const Point> positions = bench.sides.source.mesh.positions();
   const std::size_t step = std::max<std::size_t>(1, positions.size() / kSamples);
-  std::size_t tried = 0, landed = 0;
+  const std::size_t samples = (positions.size() + step - 1) / step;
+  const auto share = [samples](std::size_t landed) {
+    return samples == 0 ? 0 : static_cast<double>(landed) / static_cast<double>(samples);
+  };
+  std::size_t may_land = samples;
   for (std::size_t v = 0; v < positions.size(); v += step) {
-    ++tried;
-    landed += grid.any_within(similarity(positions[v]), reach);
+    if (grid.any_within(similarity(positions[v]), reach)) continue;
+    if (share(--may_land) < least) return 0;
   }
-  return tried == 0 ? 0 : static_cast<double>(landed) / static_cast<double>(tried);
+  return share(may_land);
 }
 
 }  // namespace
@@ -99,8 +105,9 @@ std::optional<Similarity> find_placement(const Workbench& bench, const VertexGri
   std::optional<Similarity> best;
   double most = kLeastShare;
   for (const Similarity& candidate : candidates) {
-    const double share = share_that_lands(bench, candidate, target_grid, kLands * edge);
-    if (share >= most + (best ? 0.01 : 0)) {
+    const double least = most + (best ? 0.01 : 0);
+    const double share = share_that_lands(bench, candidate, target_grid, kLands * edge, least);
+    if (share >= least) {
       best = candidate;
       most = share;
     }

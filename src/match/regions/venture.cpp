@@ -68,7 +68,7 @@ void Venture::grow(std::size_t most_faces) {
 }
 
 /// What the corners say that are new, and the faces beside that other regions have.
-double Venture::score(Candidate pair) const {
+double Venture::score(Candidate pair) {
   double score = 0;
   auto [s, t] = pair;
   do {
@@ -104,7 +104,7 @@ void Venture::cut_back() {
 
 std::size_t venture_on(Workbench& bench) {
   const std::size_t before = bench.patchwork.matched_faces();
-  const Likelihood likelihood(bench);
+  Likelihood likelihood(bench);
   Venture venture(bench, likelihood);
   for (const auto& [region, faces] : largest_first(bench.patchwork)) {
     for (const Candidate& pair : venture.from_region(region)) bench.patchwork.lay(pair, region);

@@ -13,7 +13,7 @@ namespace quadmatch::regions {
 
 class Venture {
  public:
-  Venture(Workbench& bench, const Likelihood& likelihood) : bench_(bench), likelihood_(likelihood) {}
+  Venture(Workbench& bench, Likelihood& likelihood) : bench_(bench), likelihood_(likelihood) {}
 
   /// Carry a region's map on, in the bench's ghost.
   /// @return  the pairs worth keeping; together with the region they are sound.
@@ -49,11 +49,11 @@ class Venture {
   void begin(std::uint32_t base);
   void push_neighbours(Candidate pair, std::uint32_t parent, double belief);
   void grow(std::size_t most_faces);
-  [[nodiscard]] double score(Candidate pair) const;
+  [[nodiscard]] double score(Candidate pair);
   void cut_back();
 
   Workbench& bench_;
-  const Likelihood& likelihood_;
+  Likelihood& likelihood_;
   const Mesh& source_ = bench_.sides.source.mesh;
   const Mesh& target_ = bench_.sides.target.mesh;
   std::vector<Step> queue_;  // a heap

@@ -1,9 +1,11 @@
 #include "vertex_grid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "similarity.hpp"
 
@@ -40,6 +42,7 @@ std::uint64_t VertexGrid::key_of(const Cell& cell) {
   return key;
 }
 
+/// Calls visit(vertex, square of its distance) until one says no.
 template <class Visit>
 void VertexGrid::near(const Point& p, double distance, Visit visit) const {
   const Cell low = cell_of({p[0] - distance, p[1] - distance, p[2] - distance});
@@ -53,7 +56,7 @@ void VertexGrid::near(const Point& p, double distance, Visit visit) const {
           const auto& [other, vertex] = vertices_[k];
           if (other != key) continue;
           const double away = squared_distance(mesh_.positions()[vertex.value], p);
-          if (away <= distance * distance) visit(vertex, away);
+          if (away <= distance * distance && !visit(vertex, away)) return;
         }
       }
     }
@@ -64,23 +67,40 @@ VertexId VertexGrid::nearest(const Point& p, double distance) const {
   VertexId best;
   double least = 0;
   near(p, distance, [&](VertexId v, double away) {
-    if (best.valid() && away >= least) return;
-    best = v;
-    least = away;
+    if (!best.valid() || away < least) {
+      best = v;
+      least = away;
+    }
+    return true;
   });
   return best;
 }
 
-bool VertexGrid::any_within(const Point& p, double distance) const { return nearest(p, distance).valid(); }
+bool VertexGrid::any_within(const Point& p, double distance) const {
+  bool found = false;
+  near(p, distance, [&](VertexId, double) {
+    found = true;
+    return false;
+  });
+  return found;
+}
 
 double mean_edge(const Mesh& mesh) {
   double sum = 0;
-  for (std::uint32_t number = 0; number < mesh.halfedge_count(); ++number) {
-    const HalfedgeId h(number), twin = mesh.twin(h);
-    if (twin < h) continue;
-    const double squared =
-        squared_distance(mesh.positions()[mesh.origin(h).value], mesh.positions()[mesh.tip(h).value]);
-    sum += (twin.valid() ? 2 : 1) * std::sqrt(squared);
+  // Each edge once, by the lower of its half-edges. Which that is nobody can guess, so they are first put on a list.
+  std::array<HalfedgeId, 512> edges;
+  for (std::uint32_t first = 0; first < mesh.halfedge_count(); first += edges.size()) {
+    const std::uint32_t last = std::min<std::uint32_t>(mesh.halfedge_count(), first + edges.size());
+    std::size_t count = 0;
+    for (HalfedgeId h(first); h.value < last; ++h.value) {
+      edges[count] = h;
+      count += h < mesh.twin(h);
+    }
+    for (const HalfedgeId h : std::span(edges).first(count)) {
+      const double squared =
+          squared_distance(mesh.positions()[mesh.origin(h).value], mesh.positions()[mesh.tip(h).value]);
+      sum += (mesh.twin(h).valid() ? 2 : 1) * std::sqrt(squared);
+    }
   }
   return mesh.halfedge_count() == 0 ? 0 : sum / mesh.halfedge_count();
 }

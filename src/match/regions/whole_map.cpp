@@ -1,5 +1,7 @@
 #include "whole_map.hpp"
 
+#include <quadmatch/mesh/large_pages.hpp>
+
 namespace quadmatch::regions {
 
 WholeMap::WholeMap(const Sides& sides)
@@ -24,7 +26,7 @@ void WholeMap::forget() {
 
 bool WholeMap::grow(Candidate seed, std::uint32_t faces) {
   forget();
-  pairs_.reserve(faces);
+  reserve_on_large_pages(pairs_, faces);
   if (!reach(seed)) return false;
   for (std::size_t here = 0; here < pairs_.size(); ++here) {
     if (waves_.empty() || here == waves_.back()) waves_.push_back(static_cast<std::uint32_t>(pairs_.size()));

@@ -2,6 +2,7 @@
 /// The map of one whole component onto another, down to the last corner: an isomorphism of the two.
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "patchwork.hpp"
@@ -28,6 +29,13 @@ class WholeMap {
   [[nodiscard]] const std::vector<Candidate>& pairs() const { return pairs_; }
   /// How many pairs had been reached at the end of each wave.
   [[nodiscard]] const std::vector<std::uint32_t>& waves() const { return waves_; }
+  /// Both.
+  struct Faces {
+    std::vector<Candidate> pairs;
+    std::vector<std::uint32_t> waves;
+  };
+  /// Hand over the map that was grown last. No later one comes to its faces any more.
+  [[nodiscard]] Faces take() { return {std::exchange(pairs_, {}), std::exchange(waves_, {})}; }
 
  private:
   /// The partner of a vertex, as far as the map sees it that noted it last.

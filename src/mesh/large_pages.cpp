@@ -1,4 +1,4 @@
-#include "large_pages.hpp"
+#include <quadmatch/mesh/large_pages.hpp>
 
 #include <cstdint>
 
@@ -6,7 +6,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace quadmatch::io {
+namespace quadmatch {
 
 void prefer_large_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t size) {
 #ifdef __linux__
@@ -19,4 +19,4 @@ void prefer_large_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size
 #endif
 }
 
-}  // namespace quadmatch::io
+}  // namespace quadmatch
