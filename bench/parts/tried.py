@@ -3,14 +3,17 @@
 TRIED = {
     "bear, regions: growth":
         "*Growth of the cost of a quad.* The small mesh lies in the processor's cache, and what made it faster did little for "
-        "the large one, which waits for memory. Tried: prefetching while equal parts are laid. The ratio differs from run to "
-        "run where the machine is shared.",
+        "the large one, which waits for memory. Tried: large pages behind large arrays, which helped most; asking early for "
+        "what is laid, and touching less: codes counted in the order of the file, spokes noted in memory that is touched "
+        "only where there are some, what is known of a face side by side. The ratio differs from run to run where the "
+        "machine is shared.",
     "edited body:":
         "*Edited pairs.* The bars are ratios to the renumbered copy, which takes half the time it may (an eighth of "
         "bliss). Tried: a list of the faces near a rim, shared by all stages and kept up to date, so that none sweeps the "
         "whole mesh; lengths measured only where they are asked for; evidence counted at extraordinary vertices only; ghosts "
-        "that give up where they cost more than can be gained; costs and target places kept. What is left is mostly the "
-        "fire itself, and after heavy edits minimum cuts.",
+        "that give up where they cost more than can be gained; costs and target places kept; no branches on what nobody can "
+        "guess, such as which corner of a face is the last; likelihoods learnt only where something is to be judged, and "
+        "chance pairs told by one edge. What is left is mostly the fire itself, and after heavy edits minimum cuts.",
     "regions, plain: precision of unloop":
         "*Removed rows.* Which of two rows was removed is the toss of a coin where the row beside it is as regular "
         "([how often](#what-nobody-can-know)). Tried: lengths; calling ambiguous what they do not decide "

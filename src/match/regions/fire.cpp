@@ -186,7 +186,7 @@ bool Fire::corner_fits(VertexId v, VertexId w, HalfedgeId s, HalfedgeId t, std::
   const VertexState& left = source_vertices_[v];
   const VertexState& right = target_vertices_[w];
   if (!left.contested && !right.contested) {
-    if ((left.partner == w) | is_new(left, right)) return true;
+    if (left.partner == w || is_new(left, right)) return true;
   }
   return every_corner(source_, s,
                       [&](HalfedgeId h) {
