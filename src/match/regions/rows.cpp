@@ -93,7 +93,6 @@ class Rows {
   void offer_row(HalfedgeId start, std::vector<Offer>& offers) {
     if (walked_[start.value]) return;
     Row row = row_through(start);
-    for (const HalfedgeId entry : row) walked_[entry.value] = walked_[turned(mesh_, entry, 2).value] = true;
     const std::size_t free = free_faces(row);
     if (row.size() < kLeastRow || static_cast<double>(free) < kLeastFree * static_cast<double>(row.size())) return;
     if (free == row.size()) {
@@ -102,22 +101,30 @@ class Rows {
       offers.push_back({std::move(row), free});
     }
   }
-  /// From end to end, or once round; empty if it crosses itself.
+  /// From end to end, or once round; empty if it crosses itself, from wherever on it one starts.
   [[nodiscard]] Row row_through(HalfedgeId start) {
     ++now_;
     Row row;
-    for (HalfedgeId entry = start; is_quad(mesh_, entry); entry = mesh_.twin(turned(mesh_, entry, 2))) {
+    for (HalfedgeId entry = start, exit; is_quad(mesh_, entry); entry = mesh_.twin(exit)) {
       if (entry == start && !row.empty()) return row;
+      exit = walk(entry);
       if (std::exchange(seen_[mesh_.face(entry)], now_) == now_) return {};
       row.push_back(entry);
     }
     Row before;
-    for (HalfedgeId over = mesh_.twin(start); is_quad(mesh_, over); over = mesh_.twin(turned(mesh_, over, 2))) {
+    for (HalfedgeId over = mesh_.twin(start), entry; is_quad(mesh_, over); over = mesh_.twin(entry)) {
+      entry = walk(over);
       if (std::exchange(seen_[mesh_.face(over)], now_) == now_) return {};
-      before.push_back(turned(mesh_, over, 2));
+      before.push_back(entry);
     }
     row.insert(row.begin(), before.rbegin(), before.rend());
     return row;
+  }
+  /// Note that a row was walked here, either way. @return the half-edge opposite
+  HalfedgeId walk(HalfedgeId entry) {
+    const HalfedgeId opposite = turned(mesh_, entry, 2);
+    walked_[entry.value] = walked_[opposite.value] = true;
+    return opposite;
   }
   [[nodiscard]] std::size_t free_faces(const Row& row) const {
     return static_cast<std::size_t>(
