@@ -14,8 +14,10 @@ namespace {
 constexpr std::uint32_t kLocal = 8;
 /// Where no row is skipped, of so many corners well inside of an island one may look other than the one opposite.
 constexpr std::size_t kAlike = 8;
+/// Faces grown and hops looked at, at most, by those of the mesh, and beside that for the smallest.
+constexpr std::size_t kBudget = 64, kLeastBudget = 1 << 20;
 /// Hops that must agree; fewer could by chance.
-constexpr std::uint32_t kLeastVotes = 5;
+constexpr std::uint32_t kLeastVotes = 4;
 /// Of the hops over so many rows that lead to faces of an island, how many must lead to their partners.
 constexpr double kAgree = 0.75;
 
@@ -40,14 +42,13 @@ class Islands {
       : mesh_(mesh), codes_(codes), map_(map), island_(mesh, codes, &map) {}
 
   void run() {
-    const std::vector<Germ> before = map_.laid();
+    const std::vector<Germ> before = map_.laid(), in_doubt = map_.erode(kRowsInDoubt);
     bool any = false;
-    const std::vector<Germ> in_doubt = map_.erode(kRowsInDoubt);
     for (int row = 0; row < kRowsInDoubt; ++row) map_.cover_rim(Fit::Notch);
     while (kLocal * (mesh_.face_count() - map_.faces()) <= mesh_.face_count()) {
       look_for_hops();
       const Island best = most_agreed();
-      if (!is_lifted_) break;
+      if (!is_lifted_ || best.votes == 0) break;
       any = true;
       grow(best.germ);
       for (const Germ& germ : island_.laid()) map_.lay(germ, Fit::Free);
@@ -105,7 +106,9 @@ class Islands {
       for (const Hop& hop : hops_) {
         const Germ germ = hop.germs[k];
         if (!germ.from.valid() || tried[germ.from] == germ.to) continue;
+        if (spent_ > kBudget * mesh_.face_count() + kLeastBudget) return {};
         grow(germ);
+        spent_ += island_.faces() + hops_.size();
         const Island island{germ, k > 0 || looks_right() ? votes(k) : 0, island_.faces()};
         for (const Germ& laid : island_.laid()) mark(laid, tried);
         if (!is_likely(island)) continue;
@@ -166,6 +169,7 @@ class Islands {
   MirrorMap& map_;
   MirrorMap island_;
   std::vector<Hop> hops_;
+  std::size_t spent_ = 0;
   bool is_lifted_ = false;  // is there an island to which hops over rows lead?
 };
 
