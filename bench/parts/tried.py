@@ -44,6 +44,13 @@ TRIED = {
         "*where told* counts the corners on which all such removals agree. Tried: faces that did not move are certain, and so is "
         "the row beside one that is gone as a whole, if the two part somewhere; with `--allow-ambiguous` all are carried, and "
         "those of the toss are as often wrong as right.",
+    "the same edit on both sides":
+        "*The same edit on both sides.* Where a conflict is told the result is right all the same: both put a loop into one row, or took "
+        "one out, but the two matches take different rows for the old ones, so the sides seem to differ.",
+    "merge of":
+        "*Time of a merge.* It reads three files, matches twice and checks its own result. Tried: a check of what can have "
+        "broken only. By processor time, which does not count on a second processor, the same is measured under "
+        "*What the uses cost* with other edits.",
     "vertices paired with the one opposite, edited":
         "*Mirrors of edited models.* What is missed is mostly in a rook, whose top is not quite symmetric by the mirrors of its "
         "body, and where a patch was lifted that touches what lies opposite. Tried: growth from the centre line; matching what is left over on "
