@@ -213,11 +213,11 @@ Match match_laid_or_mirrored(const Mesh& source, const Mesh& target, const Match
 }
 
 /// Stages carry maps on from the source, and end elsewhere if the meshes change places. So that the match does not, the
-/// engine always begins at the same one of the two: that of more faces, vertices, or edges; of equal ones as they
+/// engine always begins at the same one of the two: that of fewer faces, vertices, or edges; of equal ones as they
 /// come.
 bool comes_first(const Mesh& mesh, const Mesh& other) {
   const auto sizes = [](const Mesh& m) { return std::tuple(m.face_count(), m.vertex_count(), m.edge_count()); };
-  return sizes(mesh) > sizes(other);
+  return sizes(mesh) < sizes(other);
 }
 
 /// A match the other way round. @param source  its source
