@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include <quadmatch/analysis/skeleton.hpp>
@@ -194,10 +193,13 @@ Match finished(Match match, const Mesh& source, const Mesh& target, const MatchO
   return match;
 }
 
-/// Both ways round, as the options say.
-Match match_laid_or_mirrored(const Mesh& source, const Mesh& target, const MatchOptions& options) {
+}  // namespace
+
+Match match_regions(const Mesh& source, const Mesh& target, const MatchOptions& options) {
   const Analysis left(source);
-  if (options.orientation == OrientationChoice::Reversing) return match_mirrored(left, target, options);
+  if (options.orientation == OrientationChoice::Reversing) {
+    return finished(match_mirrored(left, target, options), source, target, options);
+  }
   Match match = match_laid(left, Analysis(target), options, Orientation::Preserving);
   if (options.orientation == OrientationChoice::Auto && match.complete) {
     const Misshape off = misshape(source, target, match, options);
@@ -209,40 +211,7 @@ Match match_laid_or_mirrored(const Mesh& source, const Mesh& target, const Match
       match.complete = match.complete && mirrored.complete;
     }
   }
-  return match;
-}
-
-/// Stages carry maps on from the source, and end elsewhere if the meshes change places. So that the match does not, the
-/// engine always begins at the same one of the two: that of fewer faces, vertices, or edges; of equal ones as they
-/// come.
-bool comes_first(const Mesh& mesh, const Mesh& other) {
-  const auto sizes = [](const Mesh& m) { return std::tuple(m.face_count(), m.vertex_count(), m.edge_count()); };
-  return sizes(mesh) < sizes(other);
-}
-
-/// A match the other way round. @param source  its source
-Match exchanged(Match match, const Mesh& source) {
-  for (Region& region : match.regions) {
-    std::swap(region.evidence.source_extraordinary, region.evidence.target_extraordinary);
-    for (FacePair& pair : region.faces) {
-      const std::uint32_t size = source.size(pair.source);
-      std::swap(pair.source, pair.target);
-      if (region.orientation == Orientation::Preserving && pair.rotation > 0) pair.rotation = size - pair.rotation;
-    }
-  }
-  return match;
-}
-
-}  // namespace
-
-Match match_regions(const Mesh& source, const Mesh& target, const MatchOptions& options) {
-  if (!comes_first(target, source)) {
-    return finished(match_laid_or_mirrored(source, target, options), source, target, options);
-  }
-  MatchOptions other_way = options;
-  for (UserAnchor& anchor : other_way.anchors) std::swap(anchor.source, anchor.target);
-  Match match = match_laid_or_mirrored(target, source, other_way);
-  return finished(exchanged(std::move(match), target), source, target, options);
+  return finished(std::move(match), source, target, options);
 }
 
 }  // namespace quadmatch

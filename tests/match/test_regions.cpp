@@ -257,58 +257,6 @@ TEST_CASE("regions: neither renumbering nor exchanging the meshes changes what i
   CHECK(back == pairs);
 }
 
-/// A bear with many edits, more of one kind than of the other, so that much is left to the stages that mend.
-shapes::Edit much_edited(const PolygonSoup& bear) {
-  shapes::Edit edit = take(shapes::insert_edge_loop(bear, HalfedgeId(401)));
-  for (std::uint32_t k = 1; k <= 24; ++k) {
-    const FaceId centre(k * 7919 % static_cast<std::uint32_t>(edit.soup.corners.size() / 4));
-    auto next =
-        k % 3 == 0 ? shapes::delete_patch(edit.soup, centre, 4) : shapes::extrude_patch(edit.soup, centre, 5, 0.1);
-    if (next.has_value()) edit = *std::move(next);
-  }
-  return edit;
-}
-
-TEST_CASE("regions: meshes that change places are matched alike, to the last face, after many edits too") {
-  const PolygonSoup bear = shapes::bear().soup;
-  const Mesh source = test::build(bear), target = test::build(much_edited(bear).soup);
-  for (const auto choice : {OrientationChoice::Preserving, OrientationChoice::Reversing}) {
-    for (const bool positions : {true, false}) {
-      const MatchOptions options{.orientation = choice, .positions = positions, .waves = true};
-      const Match there = judged(source, target, options), back = judged(target, source, options);
-      REQUIRE(there.regions.size() == back.regions.size());
-      REQUIRE(!there.regions.empty());
-      for (std::size_t k = 0; k < there.regions.size(); ++k) {
-        const Region& region = there.regions[k];
-        std::vector<FacePair> turned;
-        for (const FacePair& pair : back.regions[k].faces) {
-          const bool reversed = region.orientation == Orientation::Reversing;
-          turned.push_back({pair.target, pair.source, reversed ? pair.rotation : (4 - pair.rotation) % 4});
-        }
-        CHECK(region.faces == turned);
-        CHECK(region.waves == back.regions[k].waves);
-        CHECK(region.evidence.source_extraordinary == back.regions[k].evidence.target_extraordinary);
-      }
-      CHECK(there.vertices.size() == back.vertices.size());
-    }
-  }
-}
-
-TEST_CASE("regions: a user's anchor holds whichever mesh comes first") {
-  const PolygonSoup cube = without_positions(shapes::cube_subdivided(4));
-  const shapes::Edit edit = take(shapes::delete_patch(cube, FaceId(3), 1));
-  const Mesh source = test::build(cube), target = test::build(edit.soup);
-  const FacePair truth = edit.truth[20];
-  const UserAnchor anchor{source.first(truth.source), HalfedgeId(target.first(truth.target).value + truth.rotation)};
-  const auto holds = [](const Match& match, FacePair wanted) {
-    const std::vector<FacePair> pairs = pairs_of(match);
-    return std::find(pairs.begin(), pairs.end(), wanted) != pairs.end();
-  };
-  CHECK(holds(judged(source, target, {.anchors = {anchor}}), truth));
-  const FacePair back{truth.target, truth.source, (4 - truth.rotation) % 4};
-  CHECK(holds(judged(target, source, {.anchors = {{anchor.target, anchor.source}}}), back));
-}
-
 TEST_CASE("regions: with positions switched off they are never looked at") {
   const PolygonSoup bear = shapes::bear().soup;
   const shapes::Edit edit = take(shapes::insert_edge_loop(bear, HalfedgeId(401)));
