@@ -39,20 +39,13 @@ TRIED = {
         "*Exchange.* What differs are heavy edits and the most edited real pairs, where minimum cuts from the other "
         "side end in another optimum of nearly the same cost. Tried: calling ambiguous what costs nearly the same, which "
         "helped most; beginning always at the smaller mesh, which makes all pairs of different sizes the same, but matches "
-        "faces that are not the same where the earless bear grows into the one with ears.",
+        "faces that are not the same where the earless bear grows into the one with ears; or at the larger one, which then no "
+        "longer says that of a row that was cut in two either half may be the old one.",
     "carried UVs: exact, single edits":
-        "*Carried UVs.* Of a rotation-symmetric mesh that lost a row, nothing says which row was lost: taking out either of two "
-        "leaves the very same mesh, so the faces beside it are doubtful, and what is doubtful is not carried unless asked for; "
-        "*where told* counts the corners on which all such removals agree. Tried: faces that did not move are certain, and so is "
-        "the row beside one that is gone as a whole, if the two part somewhere; with `--allow-ambiguous` all are carried, and "
-        "those of the toss are as often wrong as right.",
-    "the same edit on both sides":
-        "*The same edit on both sides.* Where a conflict is told the result is right all the same: both put a loop into one row, or took "
-        "one out, but the two matches take different rows for the old ones, so the sides seem to differ.",
-    "merge of":
-        "*Time of a merge.* It reads three files, matches twice and checks its own result. Tried: a check of what can have "
-        "broken only. By processor time, which does not count on a second processor, the same is measured under "
-        "*What the uses cost* with other edits.",
+        "*Carried UVs.* Where two rows run side by side from end to end, the mesh is the same whichever was taken out, so texture "
+        "coordinates of the one that stayed are a toss of a coin: what is carried there is wrong as often as right. *Where told* counts "
+        "the corners on which all such removals agree. Tried: faces that did not move are certain, and so is the row beside one "
+        "that is gone as a whole, if the two part somewhere.",
     "vertices paired with the one opposite, edited":
         "*Mirrors of edited models.* What is missed is mostly in a rook, whose top is not quite symmetric by the mirrors of its "
         "body, and where a patch was lifted that touches what lies opposite. Tried: growth from the centre line; matching what is left over on "
