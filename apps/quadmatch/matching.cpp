@@ -79,8 +79,8 @@ void add_matching_options(CLI::App& verb, MatchingArguments& arguments) {
                 "The paper's algorithms: colour by the lengths of skeleton arcs too");
   verb.add_flag("--no-positions", arguments.no_positions, "Connectivity alone: never look at where vertices are");
   verb.add_option("--without", arguments.without,
-                  "For experiments: leave out stages of regions, of equal-parts, seams, ties, slides, ventures, "
-                  "slivers, islands, restarts, acceptance, doubts")
+                  "For experiments: leave out stages of regions, of equal-parts, seams, ties, slides, turns, "
+                  "ventures, slivers, islands, restarts, rows, acceptance, doubts")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(one_of(stage_choices()))

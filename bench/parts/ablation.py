@@ -6,7 +6,7 @@ from parts import unrelated
 from parts.multi import MESHES as MESHES_OF_PARTS
 from parts.subjects import edited_copy, edits_named, in_parallel, match, name_of, quality_meshes, tool
 
-STAGES = ["equal-parts", "seams", "ties", "slides", "slivers", "islands", "restarts", "acceptance", "doubts"]
+STAGES = ["equal-parts", "seams", "ties", "slides", "turns", "slivers", "islands", "restarts", "rows", "acceptance", "doubts"]
 VARIANTS = {"all": [], **{stage: ["--without", stage] for stage in STAGES}, "positions": ["--no-positions"]}
 SEEDS = [1, 2]
 TOLD = ["loop", "loops", "unloop", "twist", "rip", "collapse", "extrude", "light", "heavy"]

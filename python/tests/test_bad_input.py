@@ -77,7 +77,7 @@ def test_data_that_do_not_fit_the_mesh_are_refused_in_a_sentence(more, sentence)
 @pytest.mark.parametrize("options, sentence", [
     ({"algorithm": "best"}, "algorithm: there is no 'best'; give regions, lazy-greedy, greedy or exact"),
     ({"orientation": "up"}, "orientation: there is no 'up'; give auto, preserving or reversing"),
-    ({"without": "seems"}, "without: there is no 'seems'; give equal-parts, seams, ties, slides, ventures, slivers, islands, restarts, acceptance or doubts"),
+    ({"without": "seems"}, "without: there is no 'seems'; give equal-parts, seams, ties, slides, turns, ventures, slivers, islands, restarts, rows, acceptance or doubts"),
     ({"min_confidence": 2}, "min_confidence: 2 is no share; give a number from 0 to 1"),
     ({"min_confidence": float("nan")}, "min_confidence: nan is no share; give a number from 0 to 1"),
     ({"min_region": -1}, "min_region: -1 is no count; give a whole number from 0 on"),

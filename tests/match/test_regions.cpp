@@ -64,6 +64,7 @@ TEST_CASE("regions: every match of two meshes of the zoo is sound, whichever sta
                                     {.equal_parts = false},
                                     {.seams = false},
                                     {.ties = false, .slides = false},
+                                    {.turns = false, .rows = false},
                                     {.slivers = false, .islands = false},
                                     {.ventures = false},
                                     {.equal_parts = false, .restarts = false, .acceptance = false, .doubts = false}};

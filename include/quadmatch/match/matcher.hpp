@@ -32,15 +32,17 @@ enum class OrientationChoice {
 /// The stages of Algorithm::Regions, each of which can be left out for comparison.
 struct Stages {
   bool equal_parts = true;  ///< components that are the same are laid whole, before anything burns
-  bool seams = true;       ///< seams between regions move to where they cost least, and what is left free to whole rows
-  bool ties = true;        ///< positions settle what corners and lengths cannot
-  bool slides = true;      ///< rings matched a step round are turned back, and so is what hangs on them
-  bool ventures = true;    ///< without lengths, regions go on past corners that disagree
-  bool slivers = true;     ///< faces that no region can take in become regions of their own
-  bool islands = true;     ///< parts cut off by new faces are reached by hops
-  bool restarts = true;    ///< large parts left free are tried from rare corners
-  bool acceptance = true;  ///< what chance may have brought together is dropped
-  bool doubts = true;      ///< what lies as well on something else is told to be ambiguous
+  bool seams = true;        ///< seams between regions move to where they cost least
+  bool ties = true;         ///< positions settle what corners and lengths cannot
+  bool slides = true;       ///< rings matched a step round are turned back
+  bool turns = true;        ///< and so is, as a whole, what hangs on them
+  bool ventures = true;     ///< without lengths, regions go on past corners that disagree
+  bool slivers = true;      ///< faces that no region can take in become regions of their own
+  bool islands = true;      ///< parts cut off by new faces are reached by hops
+  bool restarts = true;     ///< large parts left free are tried from rare corners
+  bool rows = true;         ///< what is left free of a row of quads is made a whole row
+  bool acceptance = true;   ///< what chance may have brought together is dropped
+  bool doubts = true;       ///< what lies as well on something else is told to be ambiguous
 };
 
 /// A place the user knows to be the same: half-edge on half-edge (a face corner, or an edge of a face).

@@ -23,14 +23,16 @@ inline constexpr Words<OrientationChoice, 3> kOrientationWords{{{"auto", Orienta
                                                                 {"reversing", OrientationChoice::Reversing}}};
 
 /// Stages of regions that can be left out, in the order of Stages.
-inline constexpr Words<bool Stages::*, 10> kStageWords{{{"equal-parts", &Stages::equal_parts},
+inline constexpr Words<bool Stages::*, 12> kStageWords{{{"equal-parts", &Stages::equal_parts},
                                                         {"seams", &Stages::seams},
                                                         {"ties", &Stages::ties},
                                                         {"slides", &Stages::slides},
+                                                        {"turns", &Stages::turns},
                                                         {"ventures", &Stages::ventures},
                                                         {"slivers", &Stages::slivers},
                                                         {"islands", &Stages::islands},
                                                         {"restarts", &Stages::restarts},
+                                                        {"rows", &Stages::rows},
                                                         {"acceptance", &Stages::acceptance},
                                                         {"doubts", &Stages::doubts}}};
 

@@ -122,7 +122,7 @@ class Engine {
       mend();
     }
     if (misfit_.is_stretched() && report()) mend();  // by now more is known of how
-    if (stages_.seams && misfit_.uses_lengths() && report()) straighten_rows(bench_);
+    if (stages_.rows && misfit_.uses_lengths() && report()) straighten_rows(bench_);
     if (stages_.acceptance) drop_unlikely(bench_);
     if (stages_.doubts && report()) doubts_ = set_doubts_apart(bench_);
   }
@@ -160,7 +160,7 @@ class Engine {
   /// May parts be turned as a whole? Where the source is placed and not stretched positions have settled that, and so
   /// has a user who anchors.
   [[nodiscard]] bool may_turn() const {
-    return stages_.slides && pinned_.empty() && (!misfit_.is_placed() || misfit_.is_stretched());
+    return stages_.turns && pinned_.empty() && (!misfit_.is_placed() || misfit_.is_stretched());
   }
   void move() {
     if (stages_.seams && report()) move_seams(bench_, seams_);
