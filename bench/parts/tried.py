@@ -47,10 +47,10 @@ TRIED = {
         "the corners on which all such removals agree. Tried: faces that did not move are certain, and so is the row beside one "
         "that is gone as a whole, if the two part somewhere.",
     "vertices paired with the one opposite, edited":
-        "*Mirrors of edited models.* What is missed is mostly in a rook, whose top is not quite symmetric by the mirrors of its "
-        "body, and where a patch was lifted that touches what lies opposite. Tried: growth from the centre line; matching what is left over on "
-        "one side with that on the other; believing the match where growth says the same; looking for one mirror where a "
-        "part follows another; hops over new rows, which found most lifted patches.",
+        "*Mirrors of edited models.* Most of what is missed is part of a patch that was lifted, or in a rook, which is symmetric by "
+        "rotation and not quite by mirrors; bent, it got bits of two of them. Tried: growth from the centre line, matching what "
+        "is left over on one side with that on the other, believing the match where growth says the same; hops over new rows to what was lifted, and "
+        "parts searched again for the one mirror, which helped the rook and laid limbs of a posed bear wrongly.",
     "batch: pairs/s":
         "*Many pairs.* Threads wait while match files and results are written to disk for good, and for memory that goes back to "
         "the system. Tried: all lookups left out in a new folder, slots of jobs at work without calls of the system.",

@@ -1,24 +1,9 @@
 #include "mirror_map.hpp"
 
-#include <algorithm>
-#include <cstddef>
-
 namespace quadmatch::use {
 
-MirrorMap::MirrorMap(const Mesh& mesh, const PerFan<VertexCode>& codes, const MirrorMap* laid)
-    : mesh_(mesh), codes_(codes), other_(laid), image_(mesh.halfedge_count()), vertex_(mesh.vertex_count()) {}
-
-bool MirrorMap::is_notch(Germ germ) const {
-  std::uint32_t sides = 0;
-  HalfedgeId here = germ.from, there = germ.to;
-  for (std::uint32_t k = 0; k < mesh_.size(mesh_.face(germ.from)); ++k) {
-    const HalfedgeId beside = mesh_.twin(here), opposite = mesh_.twin(there);
-    sides += beside.valid() && opposite.valid() && image_[beside] == opposite ? 1 : 0;
-    here = mesh_.next(here);
-    there = mesh_.prev(there);
-  }
-  return sides >= 2;
-}
+MirrorMap::MirrorMap(const Mesh& mesh, const PerFan<VertexCode>& codes)
+    : mesh_(mesh), codes_(codes), image_(mesh.halfedge_count()), vertex_(mesh.vertex_count()) {}
 
 bool MirrorMap::join(VertexId v, VertexId w) {
   if (vertex_[v].valid() || vertex_[w].valid()) return vertex_[v] == w && vertex_[w] == v;
@@ -50,8 +35,7 @@ bool MirrorMap::join_corners(Germ germ, Fit fit) {
 
 bool MirrorMap::lay(Germ germ, Fit fit) {
   const FaceId face = mesh_.face(germ.from), partner = mesh_.face(germ.to);
-  if (mesh_.size(face) != mesh_.size(partner) || is_taken(germ.from) || is_taken(germ.to)) return false;
-  if (fit == Fit::Notch && !is_notch(germ)) return false;
+  if (mesh_.size(face) != mesh_.size(partner) || image_[germ.from].valid() || image_[germ.to].valid()) return false;
   if (!join_corners(germ, fit)) return false;
   HalfedgeId here = germ.from, there = germ.to;
   for (std::uint32_t k = 0; k < mesh_.size(face); ++k) {
@@ -77,36 +61,12 @@ void MirrorMap::grow(Fit fit, std::uint32_t most) {
   }
 }
 
-std::vector<Germ> MirrorMap::erode(int rounds) {
-  PerFace<std::uint8_t> is_off(mesh_.face_count(), 0);
-  const auto holds = [&](HalfedgeId h) {
-    const HalfedgeId beside = mesh_.twin(h), opposite = mesh_.twin(image_[h]);
-    if (!beside.valid() || !opposite.valid()) return beside.valid() == opposite.valid();
-    return image_[beside] == opposite && is_off[mesh_.face(beside)] == 0;
-  };
-  std::vector<Germ> kept = laid_, off;
-  for (; rounds > 0; --rounds) {
-    const auto rest = std::stable_partition(kept.begin(), kept.end(), [&](const Germ& germ) {
-      const auto sides = mesh_.halfedges(mesh_.face(germ.from));
-      return std::count_if(sides.begin(), sides.end(), holds) >= 2;
-    });
-    for (auto germ = rest; germ != kept.end(); ++germ) {
-      is_off[mesh_.face(germ->from)] = is_off[mesh_.face(germ->to)] = 1;
-      off.push_back(*germ);
-    }
-    kept.erase(rest, kept.end());
-  }
-  clear();
-  for (const Germ& germ : kept) lay(germ, Fit::Free);
-  return off;
-}
-
-void MirrorMap::cover_rim(Fit fit) {
+void MirrorMap::cover_rim() {
   const std::size_t inside = laid_.size();
   for (std::size_t k = 0; k < inside; ++k) {
     for (const HalfedgeId h : mesh_.halfedges(mesh_.face(laid_[k].from))) {
       const HalfedgeId beside = mesh_.twin(h), opposite = mesh_.twin(image_[h]);
-      if (beside.valid() && opposite.valid()) lay({beside, opposite}, fit);
+      if (beside.valid() && opposite.valid()) lay({beside, opposite}, Fit::Vertices);
     }
   }
 }

@@ -22,26 +22,21 @@ struct Germ {
 enum class Fit {
   Free,      ///< both are free, and have equally many corners
   Vertices,  ///< and their vertices have no other partners
-  Notch,     ///< and two of their sides lie on each other already
-  Looks,     ///< or, instead, they look alike: valence, boundary, non-quads
+  Looks,     ///< and look alike: valence, boundary, non-quads
 };
 
 /// Its own inverse at every moment: with a face comes its partner.
 class MirrorMap {
  public:
-  /// @param laid  what is laid there is not laid here again
-  MirrorMap(const Mesh& mesh, const PerFan<VertexCode>& codes, const MirrorMap* laid = nullptr);
+  MirrorMap(const Mesh& mesh, const PerFan<VertexCode>& codes);
 
   /// Lay two faces on each other, if they fit.
   bool lay(Germ germ, Fit fit);
   /// Go on beyond the sides of all that is laid, breadth first. O(faces laid).
   /// @param most  faces laid at most
   void grow(Fit fit, std::uint32_t most = 0xffffffff);
-  /// Give up faces of which what is laid goes on beyond one side at most; then those that are now such, so often.
-  /// @return  what is laid no more
-  std::vector<Germ> erode(int rounds);
-  /// Lay the faces beside what is laid that fit, though they do not look alike, and nothing beyond them.
-  void cover_rim(Fit fit);
+  /// Lay the faces beside what is laid whose vertices fit though they do not look alike, and nothing beyond them.
+  void cover_rim();
   /// Nothing is laid. O(faces that were).
   void clear();
 
@@ -60,16 +55,11 @@ class MirrorMap {
   [[nodiscard]] std::uint32_t conflicts() const { return conflicts_; }
 
  private:
-  [[nodiscard]] bool is_taken(HalfedgeId h) const {
-    return image_[h].valid() || (other_ != nullptr && other_->image(h).valid());
-  }
-  [[nodiscard]] bool is_notch(Germ germ) const;
   bool join(VertexId v, VertexId w);
   bool join_corners(Germ germ, Fit fit);
 
   const Mesh& mesh_;
   const PerFan<VertexCode>& codes_;
-  const MirrorMap* other_;
   PerHalfedge<HalfedgeId> image_;
   PerVertex<VertexId> vertex_;
   std::vector<Germ> laid_;

@@ -11,7 +11,6 @@
 
 #include "image_match.hpp"
 #include "left_over.hpp"
-#include "mirror_islands.hpp"
 #include "mirror_map.hpp"
 #include "mirror_plane.hpp"
 #include "mirror_regions.hpp"
@@ -28,8 +27,6 @@ constexpr double kOneMirror = 0.9;
 constexpr double kSameMirror = 0.98;
 /// How much farther than the largest region of the match another mirror must reach to be believed instead.
 constexpr double kFarther = 1.05;
-/// A part of one in so many faces, of which one in so many lies on its own side, follows another mirror.
-constexpr std::size_t kLeastPart = 16, kMixed = 5;
 /// Places on the line of which growth is tried.
 constexpr std::size_t kMostGerms = 5;
 /// Rows of faces about an edit whose corners look different though they are opposite each other.
@@ -44,7 +41,6 @@ struct Tally {
   std::uint32_t largest = 0;      ///< faces of its largest region
   std::uint32_t ways = 1;         ///< of that one
   bool has_line = false;
-  bool is_mixed = false;         ///< does a part of it follow another mirror than the largest?
   std::vector<Germ> germs = {};  ///< some on the line
 
   /// Does it lie opposite itself, but not all of it?
@@ -55,7 +51,7 @@ struct Tally {
   [[nodiscard]] bool is_in_doubt() const {
     if (matched == 0) return taken == 0;
     if (2 * onto_itself < matched) return false;  // it lies opposite another one
-    return ways > 1 || !has_line || is_mixed || mutual < kOneMirror * matched;
+    return ways > 1 || !has_line || mutual < kOneMirror * matched;
   }
 };
 
@@ -89,7 +85,6 @@ class SymmetryFinder {
     }
     lay_believed(match, images);
     if (symmetry.complete) LeftOver(mesh_, codes_, components_, settled_, image_options(), map_).lay();
-    for (int layer = 0; layer < kRimLayers; ++layer) map_.cover_rim(Fit::Vertices);
     drop_one_sided();
     if (symmetry.mirrors == 0 && !components_.face_count.empty()) {
       symmetry.mirrors = laid_in(largest) > 0 ? 1 : 0;
@@ -127,30 +122,7 @@ class SymmetryFinder {
         if (mutual && tally.germs.size() < kMostGerms) look_for_line(pair, images, tally);
       }
     }
-    look_for_mixtures(images, tallies);
     return tallies;
-  }
-
-  /// Parts of a component that lie well on their own side of the mirror of its largest part follow another mirror.
-  void look_for_mixtures(const PerHalfedge<HalfedgeId>& images, std::vector<Tally>& tallies) const {
-    MirrorMap mutual(mesh_, codes_);
-    for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
-      const HalfedgeId first = mesh_.first(FaceId(f));
-      if (images[first].valid() && images[images[first]] == first) mutual.lay({first, images[first]}, Fit::Free);
-    }
-    const std::vector<Region> regions = regions_of(mesh_, codes_, mutual, [](FaceId) { return true; });
-    const PerFace<std::int8_t> sides = sides_of(mesh_, components_, regions);
-    for (const Region& region : regions) {
-      std::size_t same = 0, across = 0;
-      for (const FacePair& pair : region.faces) {
-        const std::int8_t here = sides[pair.source], there = sides[pair.target];
-        same += here != 0 && here == there;
-        across += here != 0 && here == -there;
-      }
-      Tally& tally = tallies[components_.of_face[region.faces.front().source]];
-      const bool is_large = kLeastPart * region.faces.size() >= tally.faces;
-      tally.is_mixed = tally.is_mixed || (is_large && same <= across && kMixed * same > same + across);
-    }
   }
 
   void look_for_line(const FacePair& pair, const PerHalfedge<HalfedgeId>& images, Tally& tally) const {
@@ -282,8 +254,8 @@ class SymmetryFinder {
       drop_one_sided();
       for (const Germ& germ : others_) map_.lay(germ, Fit::Vertices);
     }
-    lay_islands(mesh_, codes_, map_);
     map_.grow(Fit::Looks);
+    for (int layer = 0; layer < kRimLayers; ++layer) map_.cover_rim();
   }
 
   /// Give up what lies on its own side.
