@@ -64,7 +64,7 @@ def page(options):
         chosen = [row for row in rows if (row["edit"] == edit if edit else row["edit"] not in (PARTS, UNRELATED))]
         return statistics.mean(row[variant][key] for row in chosen)
     lines = []
-    for variant in VARIANTS:
+    for variant in (name for name in VARIANTS if name in rows[0]):  # a stage may be newer than the figures
         name = "everything on" if variant == "all" else f"without {variant}"
         lines.append([name, f"{mean(variant, 'recall'):.4f}", f"{mean(variant, 'precision'):.4f}"] +
                      [f"{mean(variant, 'recall', edit):.3f}" for edit in [*TOLD, PARTS]] +
